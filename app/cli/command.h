@@ -1,0 +1,50 @@
+#pragma once
+// Purpose: what the commands of glisson-cli have in common: how they are registered, run and end, and the flags they share.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "reconstruction/execution_context.h"
+#include "reconstruction/io/read.h"
+
+namespace glisson::cli {
+
+/// The exit codes of the command line (design contract; README "The command line").
+enum ExitCode : int { kDone = 0, kUsage = 2, kInput = 3, kCheckFailed = 4, kInterrupted = 130 };
+
+/// One command after its arguments are parsed. Returns an exit code; throws Error or Cancelled.
+using Action = std::function<int(const ExecutionContext&)>;
+
+/// Each adds one subcommand to `app`; when the user asks for it, `chosen` becomes its action.
+void addSample(CLI::App& app, Action& chosen);
+void addInfo(CLI::App& app, Action& chosen);
+void addReconstruct(CLI::App& app, Action& chosen);
+void addMeasure(CLI::App& app, Action& chosen);
+void addModel(CLI::App& app, Action& chosen);
+void addPlan(CLI::App& app, Action& chosen);
+void addExport(CLI::App& app, Action& chosen);
+void addVerify(CLI::App& app, Action& chosen);
+
+/// --labels, --accept, --prefer as given.
+struct InputFlags {
+  std::string labels;
+  std::string accept;
+  std::string prefer;
+};
+void addInputFlags(CLI::App& command, InputFlags& flags);
+/// Throws UsageError.
+ReadOptions readOptions(const InputFlags& flags);
+
+/// An option that takes a number; '.' is the decimal sign in every locale, "inf" and "nan" are refused.
+CLI::Option* addNumber(CLI::App& command, const std::string& name, double& value, const std::string& description);
+CLI::Option* addInteger(CLI::App& command, const std::string& name, int& value, const std::string& description);
+
+/// Throws InputError where the folder that is to hold `path` is missing, UsageError where `path` is a folder: said before the work
+/// is done, not after.
+void checkWritable(const std::filesystem::path& path);
+/// One line on stderr: "glisson-cli: ...".
+void complain(const std::string& sentence);
+
+}  // namespace glisson::cli

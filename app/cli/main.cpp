@@ -1,0 +1,109 @@
+// Purpose: glisson-cli: parses the command line, runs one command, turns every exception into one line and an exit code.
+
+#include <unistd.h>
+
+#include <clocale>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "planning/exchange/version.h"
+#include "reconstruction/errors.h"
+
+namespace glisson::cli {
+namespace {
+
+/// Progress on stderr where a person looks at it; silence in scripts and logs.
+ExecutionContext progressOnTerminal() {
+  if (isatty(STDERR_FILENO) == 0) {
+    return {};
+  }
+  return ExecutionContext([percent = -1](double fraction, std::string_view phase) mutable {
+    const int now = static_cast<int>(100.0 * fraction);
+    if (now != percent) {
+      percent = now;
+      std::cerr << "\r\033[K" << now << " % " << phase << std::flush;
+    }
+  });
+}
+
+void clearProgress() {
+  if (isatty(STDERR_FILENO) != 0) {
+    std::cerr << "\r\033[K" << std::flush;
+  }
+}
+
+int failed(int code, const std::string& sentence) {
+  clearProgress();
+  complain(sentence);
+  return code;
+}
+
+int run(const Action& action) {
+  const ExecutionContext context = progressOnTerminal();
+  const InterruptCancels interrupt(context);
+  try {
+    const int code = action(context);
+    std::cout.flush();
+    if (!std::cout) {
+      return failed(kInput, "the output cannot be written to stdout");
+    }
+    return code;
+  } catch (const Cancelled&) {
+    return failed(kInterrupted, "interrupted; nothing was written");
+  } catch (const UsageError& error) {
+    return failed(kUsage, error.what());
+  } catch (const InputError& error) {
+    return failed(kInput, error.what());
+  } catch (const Error& error) {
+    return failed(kCheckFailed, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(kCheckFailed, "the memory does not suffice; close other programs or lower --depth");
+  } catch (const std::filesystem::filesystem_error& error) {
+    return failed(kInput, error.what());
+  } catch (const std::exception& error) {
+    return failed(kCheckFailed, std::string("unexpected failure: ") + error.what());
+  }
+}
+
+int parseAndRun(int argc, char** argv) {
+  CLI::App app("Glisson: planning of liver resections from the command line. Not for clinical use.", "glisson-cli");
+  app.set_version_flag("--version", "glisson-cli " + std::string(glissonVersion()));
+  app.set_help_all_flag("--help-all", "Help of every command");
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 done; 2 wrong usage; 3 input unreadable or refused; 4 computed, but a check failed; 130 interrupted.");
+  Action chosen;
+  addSample(app, chosen);
+  addInfo(app, chosen);
+  addReconstruct(app, chosen);
+  addMeasure(app, chosen);
+  addModel(app, chosen);
+  addPlan(app, chosen);
+  addExport(app, chosen);
+  addVerify(app, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      return app.exit(error);  // --help, --version: on stdout
+    }
+    return failed(kUsage, std::string(error.what()) + "; see glisson-cli --help");
+  }
+  return run(chosen);
+}
+
+}  // namespace
+}  // namespace glisson::cli
+
+int main(int argc, char** argv) {
+  std::setlocale(LC_ALL, "C");
+  try {
+    return glisson::cli::parseAndRun(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "glisson-cli: unexpected failure: %s\n", error.what());
+    return glisson::cli::kCheckFailed;
+  }
+}

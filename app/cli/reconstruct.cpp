@@ -1,0 +1,146 @@
+#include <chrono>
+#include <iostream>
+
+#include "app/cli/choose.h"
+#include "app/cli/command.h"
+#include "app/cli/peak_memory.h"
+#include "app/cli/reconstruct_flags.h"
+#include "app/cli/report.h"
+#include "planning/exchange/atomic_file.h"
+#include "planning/exchange/mesh_files.h"
+#include "reconstruction/errors.h"
+#include "reconstruction/parallel.h"
+#include "reconstruction/text.h"
+
+namespace glisson::cli {
+
+namespace {
+
+struct Flags {
+  std::string segmentation;
+  std::string output;
+  std::string report;
+  int threads = 0;
+  MaskChoice choice;
+  InputFlags input;
+  ReconstructFlags method;
+};
+
+/// One surface, its place on disk and what was measured about it.
+struct Made {
+  std::filesystem::path output;
+  std::filesystem::path report;
+  Reconstruction result;
+  ReconstructReport measured;
+};
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// OUT.stl -> OUT_d5.stl where several depths are asked for.
+std::filesystem::path withDepth(const std::filesystem::path& path, int depth, bool several) {
+  if (!several || path.empty()) {
+    return path;
+  }
+  return path.parent_path() / (path.stem().string() + "_d" + std::to_string(depth) + path.extension().string());
+}
+
+void checkOutputs(const Flags& flags) {
+  const std::string extension = toLower(std::filesystem::path(flags.output).extension().string());
+  if (extension != ".stl" && extension != ".ply" && extension != ".obj" && extension != ".vtp" && extension != ".glb") {
+    throw UsageError("-o " + flags.output + " needs one of the endings .stl .ply .obj .vtp .glb");
+  }
+  if (flags.threads < 0) {
+    throw UsageError("--threads takes 1 or more, or 0 for all cores");
+  }
+  checkWritable(flags.output);
+  if (!flags.report.empty()) {
+    checkWritable(flags.report);
+  }
+}
+
+std::string summaryOf(const Made& made) {
+  const Reconstruction& result = made.result;
+  std::string line = made.output.string() + ": " + result.parameters.describe() + ", " +
+                     std::to_string(result.mesh.triangles.size()) + " triangles, " + formatNumber(result.meshVolumeMl, 2) +
+                     " mL (voxels " + formatNumber(result.voxelVolumeMl, 2) + " mL), " + formatNumber(result.seconds.total(), 2) +
+                     " s";
+  for (const auto* list : {&result.notes, &result.deviations}) {
+    for (const std::string& note : *list) {
+      line += "\n  note: " + note;
+    }
+  }
+  return line;
+}
+
+void write(Made& made, const ChosenMask& chosen) {
+  const auto start = std::chrono::steady_clock::now();
+  writeMesh({made.output.stem().string(), chosen.name, defaultColour(chosen.kind), 1.0, made.result.mesh}, made.output);
+  made.measured.writeSeconds = secondsSince(start);
+  if (!made.report.empty()) {
+    writeFileAtomically(made.report, textOf(toJson(made.result, made.measured)) + "\n");
+  }
+}
+
+int reconstructAll(const CLI::App& command, const Flags& flags, const ExecutionContext& context) {
+  const std::vector<ReconstructionParameters> sets = parametersOf(command, flags.method);
+  const ReadOptions options = readOptions(flags.input);
+  checkOutputs(flags);
+  const ThreadLimit limit(flags.threads);
+
+  const auto start = std::chrono::steady_clock::now();
+  const Segmentation segmentation = readSegmentation(flags.segmentation, options, context.range(0, 0.2));
+  const ChosenMask chosen = chooseMask(segmentation, flags.choice);
+  const double loadSeconds = secondsSince(start);
+
+  std::vector<Made> all;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const double from = 0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(sets.size());
+    const double to = 0.2 + 0.8 * static_cast<double>(i + 1) / static_cast<double>(sets.size());
+    const PeakMemory memory;
+    Made& made = all.emplace_back();
+    made.output = withDepth(flags.output, sets[i].psr.depth, sets.size() > 1);
+    made.report = withDepth(flags.report, sets[i].psr.depth, sets.size() > 1);
+    made.result = reconstruct(*chosen.mask, segmentation.geometry, chosen.kind, sets[i], context.range(from, to));
+    made.measured.peakGrowthMb = memory.growthMb();
+    made.measured.loadSeconds = loadSeconds;
+    made.measured.threads = flags.threads;
+    if (!flags.report.empty() && !made.result.mesh.empty()) {
+      made.measured.paperErrorMm = paperError(made.result.mesh, *chosen.mask, segmentation.geometry, context);
+      made.measured.voxelErrorMm = voxelError(made.result.mesh, *chosen.mask, segmentation.geometry, context);
+    }
+  }
+
+  int code = kDone;
+  for (Made& made : all) {
+    context.throwIfCancelled();
+    write(made, chosen);
+    std::cout << summaryOf(made) << '\n';
+    if (made.result.defects.any()) {
+      complain(made.output.string() + " was written, but its surface has defects: " + made.result.defects.names().front() +
+               "; it will not be exported to navigation");
+      code = kCheckFailed;
+    }
+  }
+  return code;
+}
+
+}  // namespace
+
+void addReconstruct(CLI::App& app, Action& chosen) {
+  auto flags = std::make_shared<Flags>();
+  auto* command = app.add_subcommand("reconstruct", "Make the surface of one structure");
+  command->add_option("SEG", flags->segmentation, "Label map or folder of masks")->required();
+  addMaskChoice(*command, flags->choice);
+  addReconstructFlags(*command, flags->method);
+  addInteger(*command, "--threads", flags->threads, "Threads; 0 is all cores");
+  command->add_option("-o,--output", flags->output, "OUT.stl, .ply, .obj, .vtp or .glb")->required();
+  command->add_option("--report", flags->report, "Also write times, volumes, errors and checks as JSON");
+  addInputFlags(*command, flags->input);
+  command->callback([flags, command, &chosen] {
+    chosen = [flags, command](const ExecutionContext& context) { return reconstructAll(*command, *flags, context); };
+  });
+}
+
+}  // namespace glisson::cli

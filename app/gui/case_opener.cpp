@@ -1,0 +1,146 @@
+#include "app/gui/case_opener.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "app/gui/label_dialog.h"
+#include "reconstruction/errors.h"
+
+namespace glisson {
+
+namespace {
+
+std::vector<std::filesystem::path> toPaths(const QStringList& texts) {
+  std::vector<std::filesystem::path> paths;
+  for (const QString& text : texts) {
+    paths.emplace_back(text.toStdString());
+  }
+  return paths;
+}
+
+QStringList toTexts(const OpenRequest& request) {
+  QStringList texts;
+  for (const std::filesystem::path& path : request.paths) {
+    texts << QString::fromStdString(path.string());
+  }
+  return texts;
+}
+
+QString consequenceOf(Consent consent) {
+  switch (consent) {
+    case Consent::ResampleLabels:
+      return CaseOpener::tr("The labels will be moved onto the CT's grid (nearest voxel). Borders may shift by half a voxel.");
+    case Consent::Tilt:
+      return CaseOpener::tr(
+          "The CT was taken with a tilted gantry. It will be straightened by resampling; fine detail is softened.");
+    case Consent::UnevenSlices:
+      return CaseOpener::tr(
+          "Slices are missing or unevenly spaced. The gaps will be filled by resampling: what lies in them is unseen.");
+    case Consent::OtherPatient:
+      return CaseOpener::tr(
+          "CT and labels name different patients or studies. If they do not belong together, every number is wrong.");
+  }
+  return {};
+}
+
+}  // namespace
+
+CaseOpener::CaseOpener(JobRunner& jobs, QWidget* dialogParent) : QObject(dialogParent), jobs_(jobs), dialogParent_(dialogParent) {}
+
+void CaseOpener::openSample() {
+  OpenRequest request;
+  request.sample = true;
+  start(request);
+}
+
+void CaseOpener::openPaths(const QStringList& paths) {
+  OpenRequest request;
+  request.paths = toPaths(paths);
+  request.options = options_;
+  start(request);
+}
+
+void CaseOpener::start(const OpenRequest& request) {
+  JobRequest job{.key = "open", .title = request.sample ? tr("Making the sample patient") : tr("Reading files")};
+  job.fail = [this, request](const std::exception& error) { handleRefusal(request, error); };
+  submitFor<OpenedCase>(
+      jobs_, std::move(job), [request](const ExecutionContext& context) { return openInputs(request, context); },
+      [this, request](OpenedCase result) { handle(request, std::move(result)); });
+}
+
+void CaseOpener::handle(const OpenRequest& request, OpenedCase result) {
+  if (!result.needsKinds()) {
+    emit opened(result.content, result.file, toTexts(request));
+    return;
+  }
+  if (unattended_) {
+    emit refused(tr("%1 has the label %2 of unknown kind; name it with --labels.")
+                     .arg(QString::fromStdString(request.readSoFar->segmentation->source),
+                          QString::fromStdString(result.unknown.front().name)));
+    return;
+  }
+  askKinds(request, result.unknown);
+}
+
+void CaseOpener::handleRefusal(const OpenRequest& request, const std::exception& error) {
+  const bool input = dynamic_cast<const InputError*>(&error) != nullptr;
+  const std::optional<ConsentQuestion> question = input && !unattended_ ? questionOf(error.what()) : std::nullopt;
+  const bool askedBefore = question && question->consent && request.options.consents.contains(*question->consent);
+  if (!question || askedBefore) {
+    emit refused(messageOf(error));
+  } else if (question->consent) {
+    askConsent(request, *question->consent, messageOf(error));
+  } else {
+    askFrame(request, messageOf(error));
+  }
+}
+
+void CaseOpener::askKinds(const OpenRequest& request, const std::vector<LabelledMask>& unknown) {
+  auto* dialog = new LabelDialog(unknown, request.readSoFar->segmentation->geometry, dialogParent_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, request] {
+    OpenRequest again = request;
+    again.options.kindByName.merge(dialog->chosen());
+    start(again);
+  });
+  dialog->open();
+}
+
+void CaseOpener::askConsent(const OpenRequest& request, Consent consent, const QString& refusal) {
+  auto* box = new QMessageBox(QMessageBox::Warning, tr("A question before reading"), consequenceOf(consent), QMessageBox::NoButton,
+                              dialogParent_);
+  box->setObjectName("consentDialog");
+  box->setInformativeText(refusal);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* accept = box->addButton(tr("Read it all the same"), QMessageBox::AcceptRole);
+  accept->setObjectName("consentAccept");
+  box->setDefaultButton(box->addButton(QMessageBox::Cancel));
+  connect(accept, &QPushButton::clicked, this, [this, request, consent] {
+    OpenRequest again = request;
+    again.options.consents.insert(consent);
+    start(again);
+  });
+  box->open();
+}
+
+void CaseOpener::askFrame(const OpenRequest& request, const QString& refusal) {
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, tr("A question before reading"),
+                      tr("The file places its voxels in two ways that disagree (sform and qform). The wrong one moves or mirrors "
+                         "the liver. Choose the one your other programs use."),
+                      QMessageBox::NoButton, dialogParent_);
+  box->setObjectName("frameDialog");
+  box->setInformativeText(refusal);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  for (const auto& [text, frame] : {std::pair(tr("Use sform"), NiftiFrame::SForm), std::pair(tr("Use qform"), NiftiFrame::QForm)}) {
+    connect(box->addButton(text, QMessageBox::AcceptRole), &QPushButton::clicked, this, [this, request, choice = frame] {
+      OpenRequest again = request;
+      again.options.niftiFrame = choice;
+      start(again);
+    });
+  }
+  box->setDefaultButton(box->addButton(QMessageBox::Cancel));
+  box->open();
+}
+
+}  // namespace glisson

@@ -1,0 +1,44 @@
+#pragma once
+// Purpose: opens a case in a job and asks what only a person can answer: the kind of an unknown label, consent to a doubtful input.
+// Dialogs never block the event loop. With setUnattended() nothing is asked: what would be a question is a refusal.
+
+#include <QObject>
+#include <QWidget>
+#include <memory>
+
+#include "app/gui/open_inputs.h"
+#include "app/jobs/job_runner.h"
+
+namespace glisson {
+
+class CaseOpener : public QObject {
+  Q_OBJECT
+ public:
+  CaseOpener(JobRunner& jobs, QWidget* dialogParent);
+
+  void setUnattended(bool unattended) { unattended_ = unattended; }
+  /// The options of the command line hold for every input opened.
+  void setOptions(const ReadOptions& options) { options_ = options; }
+  void openSample();
+  void openPaths(const QStringList& paths);
+
+ signals:
+  /// `content` is never empty; `file` is null but for a .glisson file.
+  void opened(const glisson::Case& content, std::shared_ptr<glisson::CaseFile> file, const QStringList& paths);
+  void refused(const QString& message);
+
+ private:
+  void start(const OpenRequest& request);
+  void handle(const OpenRequest& request, OpenedCase result);
+  void handleRefusal(const OpenRequest& request, const std::exception& error);
+  void askKinds(const OpenRequest& request, const std::vector<LabelledMask>& unknown);
+  void askConsent(const OpenRequest& request, Consent consent, const QString& refusal);
+  void askFrame(const OpenRequest& request, const QString& refusal);
+
+  JobRunner& jobs_;
+  QWidget* dialogParent_;
+  ReadOptions options_;
+  bool unattended_ = false;
+};
+
+}  // namespace glisson

@@ -1,0 +1,106 @@
+#include "app/gui/case_store.h"
+
+#include <utility>
+
+#include "app/jobs/job_runner.h"
+
+namespace glisson {
+
+struct CaseStore::Worker : public QObject {
+  std::shared_ptr<CaseFile> file;
+};
+
+CaseStore::CaseStore(QObject* parent) : QObject(parent), worker_(std::make_unique<Worker>()) {
+  worker_->moveToThread(&thread_);
+  thread_.start();
+}
+
+CaseStore::~CaseStore() {
+  flush();
+  thread_.quit();
+  thread_.wait();
+}
+
+void CaseStore::post(std::function<void(Worker&)> work) {
+  QMetaObject::invokeMethod(
+      worker_.get(),
+      [this, work = std::move(work)] {
+        try {
+          work(*worker_);
+        } catch (const std::exception& error) {
+          emit failed(messageOf(error));  // queued to the UI thread by the receivers' connections
+        }
+      },
+      Qt::QueuedConnection);
+}
+
+void CaseStore::beginFile() { models_ = std::make_shared<std::atomic<std::uint64_t>>(0); }
+
+void CaseStore::create(const std::filesystem::path& path, const Case& content) {
+  beginFile();
+  post([path, content](Worker& worker) {
+    worker.file.reset();
+    std::filesystem::create_directories(path.parent_path());
+    worker.file = std::make_shared<CaseFile>(CaseFile::create(path, content));
+  });
+}
+
+void CaseStore::adopt(std::shared_ptr<CaseFile> file) {
+  beginFile();
+  post([file = std::move(file)](Worker& worker) { worker.file = file; });
+}
+
+void CaseStore::storePlans(const std::vector<ResectionPlan>& plans) {
+  post([plans](Worker& worker) {
+    if (worker.file) {
+      worker.file->storePlans(plans);
+    }
+  });
+}
+
+void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
+  const std::uint64_t mine = ++*models_;
+  post([model = std::move(model), models = models_, mine](Worker& worker) {
+    if (worker.file && models->load() == mine) {  // else a newer model of the same file waits behind
+      worker.file->storeModel(*model);
+    }
+  });
+}
+
+void CaseStore::saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete) {
+  post([this, path, content, obsolete](Worker& worker) {
+    auto fresh = std::make_shared<CaseFile>(CaseFile::create(path, content));
+    worker.file = std::move(fresh);
+    if (!obsolete.empty() && obsolete != path) {
+      std::error_code ignored;  // a recovery file left behind is no loss
+      std::filesystem::remove(obsolete, ignored);
+    }
+    emit saved(QString::fromStdString(path.string()));
+  });
+}
+
+void CaseStore::checkpoint() {
+  post([this](Worker& worker) {
+    if (worker.file) {
+      emit saved(QString::fromStdString(worker.file->path().string()));
+    }
+  });
+}
+
+void CaseStore::close(const std::filesystem::path& discarded) {
+  beginFile();
+  post([discarded](Worker& worker) {
+    worker.file.reset();
+    if (!discarded.empty()) {
+      std::error_code ignored;  // a recovery file left behind is no loss
+      std::filesystem::remove(discarded, ignored);
+    }
+  });
+}
+
+void CaseStore::flush() {
+  QMetaObject::invokeMethod(
+      worker_.get(), [] {}, Qt::BlockingQueuedConnection);
+}
+
+}  // namespace glisson

@@ -1,0 +1,57 @@
+#pragma once
+// Purpose: keeps the open case on disk without making the window wait: one thread owns the CaseFile; edits reach it in order, each
+// a committed transaction of its own, within milliseconds. Models that wait behind a newer one are skipped. Called on the UI
+// thread; signals are emitted there.
+
+#include <QObject>
+#include <QString>
+#include <QThread>
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "planning/storage/case_file.h"
+
+namespace glisson {
+
+class CaseStore : public QObject {
+  Q_OBJECT
+ public:
+  explicit CaseStore(QObject* parent = nullptr);
+  /// Waits until everything handed over is on disk.
+  ~CaseStore() override;
+
+  /// A new file at `path`, in place of the one open now.
+  void create(const std::filesystem::path& path, const Case& content);
+  /// Goes on with a file that was opened elsewhere.
+  void adopt(std::shared_ptr<CaseFile> file);
+  void storePlans(const std::vector<ResectionPlan>& plans);
+  void storeModel(std::shared_ptr<const LiverModel> model);
+  /// Writes the whole case to `path`, goes on there, and removes `obsolete` (a recovery file) where it is given.
+  void saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete);
+  /// Emits saved() after all that was handed over before is on disk.
+  void checkpoint();
+  /// Lets go of the file; `discarded` (a recovery file nothing was done in) is removed then.
+  void close(const std::filesystem::path& discarded = {});
+  /// Blocks until everything handed over is on disk.
+  void flush();
+
+ signals:
+  void saved(const QString& path);
+  void failed(const QString& message);
+
+ private:
+  struct Worker;
+  void post(std::function<void(Worker&)> work);
+  void beginFile();
+
+  QThread thread_;
+  std::unique_ptr<Worker> worker_;
+  /// Models handed over so far for the file open now; a new counter for every file, so that no file gets or loses another's model.
+  std::shared_ptr<std::atomic<std::uint64_t>> models_ = std::make_shared<std::atomic<std::uint64_t>>(0);
+};
+
+}  // namespace glisson

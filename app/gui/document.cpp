@@ -1,0 +1,334 @@
+#include "app/gui/document.h"
+
+#include "app/gui/edit_commands.h"
+#include "reconstruction/errors.h"
+
+namespace glisson {
+
+Document::Document(JobRunner& jobs, std::filesystem::path recoveryFolder, QObject* parent)
+    : QObject(parent), jobs_(jobs), recoveryFolder_(std::move(recoveryFolder)) {
+  connect(&undo_, &QUndoStack::cleanChanged, this, &Document::cleanChanged);
+  connect(&store_, &CaseStore::failed, this, &Document::storeFailed);
+  connect(&store_, &CaseStore::saved, this, [this](const QString& path) {
+    path_ = path.toStdString();
+    recovery_ = false;
+    readOnly_ = false;  // the store goes on in the file it has just written
+    if (savingIndex_ == undo_.index()) {
+      undo_.setClean();
+    }
+    emit saved(path);
+    emit cleanChanged();
+  });
+}
+
+Document::~Document() { leave(); }
+
+void Document::leave() {
+  // a case that was only looked at leaves nothing behind; its data can be opened again
+  const bool untouched = open_ && recovery_ && fresh_ && undo_.count() == 0;
+  store_.close(untouched ? path_ : std::filesystem::path());
+}
+
+void Document::open(Case content, std::shared_ptr<CaseFile> file) {
+  leave();
+  open_ = true;
+  fresh_ = file == nullptr;
+  case_ = std::move(content);
+  undo_.clear();
+  beforeDrag_.reset();
+  assessor_.reset();
+  liverCentre_.reset();
+  assessment_ = {};
+  freshness_ = Freshness::None;
+  recovery_ = file == nullptr;
+  readOnly_ = file != nullptr && file->readOnly();
+  if (file) {
+    path_ = file->path();
+    const std::filesystem::path parent = path_.parent_path();
+    std::error_code ignored;
+    recovery_ = std::filesystem::equivalent(parent, recoveryFolder_, ignored);
+    store_.adopt(std::move(file));
+  } else {
+    path_ = recoveryFolder_ / (case_.code + ".glisson");
+    store_.create(path_, case_);
+  }
+  emit caseChanged();
+  emit planChanged();
+  emit assessmentChanged();
+  emit cleanChanged();
+  prepareAssessor();
+}
+
+void Document::close() {
+  leave();
+  open_ = false;
+  case_ = {};
+  undo_.clear();
+  assessor_.reset();
+  assessment_ = {};
+  freshness_ = Freshness::None;
+  emit caseChanged();
+  emit planChanged();
+  emit assessmentChanged();
+}
+
+QString Document::stepName(const QString& text) { return tr(text.toUtf8().constData()); }
+
+bool Document::isClean() const { return !open_ || (!recovery_ && undo_.isClean()); }
+
+const ResectionPlan& Document::plan() const {
+  static const ResectionPlan kNone;
+  return case_.plans.empty() ? kNone : case_.plans.front();
+}
+
+std::optional<HalfSpace> Document::plane() const {
+  const ResectionPlan& current = plan();
+  if (current.resections.empty() || current.resections.front().planes.empty()) {
+    return std::nullopt;
+  }
+  return current.resections.front().planes.front();
+}
+
+std::vector<ResectionPlan> Document::plansWithPlane(const std::optional<HalfSpace>& plane) const {
+  std::vector<ResectionPlan> plans = case_.plans;
+  if (plans.empty()) {
+    plans.push_back({.name = "Plan 1", .resections = {}});
+  }
+  std::vector<Resection>& resections = plans.front().resections;
+  if (!plane) {
+    if (!resections.empty()) {
+      resections.erase(resections.begin());
+    }
+    return plans;
+  }
+  if (resections.empty()) {
+    resections.push_back({.name = "Resection 1", .planes = {*plane}});
+    return plans;
+  }
+  plans.front() = apply(plans.front(), {.resection = 0, .plane = 0, .to = *plane});
+  return plans;
+}
+
+void Document::placePlane(const HalfSpace& plane) {
+  undo_.push(new PlansCommand(*this, QString::fromLatin1(QT_TR_NOOP("place plane")), case_.plans, plansWithPlane(plane)));
+}
+
+void Document::movePlane(const HalfSpace& plane) {
+  undo_.push(new PlansCommand(*this, QString::fromLatin1(QT_TR_NOOP("move plane")), case_.plans, plansWithPlane(plane)));
+}
+
+void Document::removePlane() {
+  if (plane()) {
+    undo_.push(new PlansCommand(*this, QString::fromLatin1(QT_TR_NOOP("remove plane")), case_.plans, plansWithPlane(std::nullopt)));
+  }
+}
+
+void Document::beginDrag() { beforeDrag_ = case_.plans; }
+
+void Document::dragTo(const HalfSpace& plane) {
+  if (!beforeDrag_) {
+    beginDrag();
+  }
+  case_.plans = plansWithPlane(plane);
+  emit planChanged();
+  assessVolumes();
+}
+
+void Document::endDrag(const HalfSpace& plane) {
+  if (!beforeDrag_) {
+    return;
+  }
+  std::vector<ResectionPlan> before = std::move(*beforeDrag_);
+  beforeDrag_.reset();
+  std::vector<ResectionPlan> after = plansWithPlane(plane);
+  case_.plans = before;
+  const std::optional<HalfSpace> from = this->plane();
+  if (from && from->origin == plane.origin && from->normal == plane.normal) {
+    setPlans(std::move(before));  // a click on a handle moves nothing and is no step
+    return;
+  }
+  undo_.push(new PlansCommand(*this, QString::fromLatin1(QT_TR_NOOP("move plane")), std::move(before), std::move(after)));
+}
+
+void Document::setPlans(std::vector<ResectionPlan> plans) {
+  case_.plans = std::move(plans);
+  if (!readOnly_) {
+    store_.storePlans(case_.plans);
+  }
+  emit planChanged();
+  assessVolumes();
+  assessAll();
+}
+
+void Document::setColour(const std::string& structureId, Rgb colour) {
+  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
+  if (structure != nullptr && structure->colour != colour) {
+    const Appearance before{structure->colour, structure->opacity};
+    undo_.push(new AppearanceCommand(*this, QString::fromLatin1(QT_TR_NOOP("change colour")), AppearanceCommand::What::Colour,
+                                     structureId, before, {colour, structure->opacity}));
+  }
+}
+
+void Document::setOpacity(const std::string& structureId, double opacity) {
+  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
+  if (structure != nullptr && structure->opacity != opacity) {
+    const Appearance before{structure->colour, structure->opacity};
+    undo_.push(new AppearanceCommand(*this, QString::fromLatin1(QT_TR_NOOP("change opacity")), AppearanceCommand::What::Opacity,
+                                     structureId, before, {structure->colour, opacity}));
+  }
+}
+
+void Document::setVisible(const std::string& structureId, bool visible) {
+  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
+  if (structure != nullptr && structure->visible != visible) {
+    Structure changed = *structure;
+    changed.visible = visible;
+    replaceModel(withStructure(*case_.model, std::move(changed)));
+  }
+}
+
+void Document::setAppearance(const std::string& structureId, const Appearance& appearance) {
+  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
+  if (structure != nullptr) {
+    Structure changed = *structure;
+    changed.colour = appearance.colour;
+    changed.opacity = appearance.opacity;
+    replaceModel(withStructure(*case_.model, std::move(changed)));
+  }
+}
+
+void Document::setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction) {
+  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
+  if (structure != nullptr) {
+    Structure changed = *structure;
+    changed.reconstruction = std::move(reconstruction);
+    replaceModel(withStructure(*case_.model, std::move(changed)));
+  }
+}
+
+void Document::replaceModel(std::shared_ptr<const LiverModel> model) {
+  case_.model = std::move(model);
+  if (!readOnly_) {
+    store_.storeModel(case_.model);
+  }
+  emit modelChanged();
+}
+
+void Document::setCt(std::shared_ptr<const CtVolume> ct) {
+  if (ct && case_.segmentation && ct->geometry.cornerDistance(case_.segmentation->geometry) > kSameGridMm) {
+    addNote(tr("The CT at %1 does not lie on the grid of the labels and is not shown.").arg(QString::fromStdString(ct->source)));
+    return;
+  }
+  case_.ct = std::move(ct);
+  emit ctChanged();
+}
+
+void Document::addNote(const QString& note) {
+  case_.notes.push_back(note.toStdString());
+  emit notesChanged();
+}
+
+void Document::save() {
+  if (open_ && !recovery_) {
+    savingIndex_ = undo_.index();
+    store_.checkpoint();
+  }
+}
+
+void Document::saveAs(const std::filesystem::path& path) {
+  if (open_ && !readOnly_ && !recovery_ && path == path_) {
+    save();  // the file is this case's own: every edit is in it already
+  } else if (open_) {
+    savingIndex_ = undo_.index();
+    store_.saveAs(path, case_, recovery_ ? path_ : std::filesystem::path());
+  }
+}
+
+namespace {
+
+struct Assessor {
+  std::shared_ptr<const PlanAssessor> assessor;
+  Vec3 centre;
+};
+
+}  // namespace
+
+void Document::prepareAssessor() {
+  JobRequest request{.key = "assessor", .title = tr("Volumes")};
+  request.fail = [this](const std::exception& error) { emit storeFailed(messageOf(error)); };
+  submitFor<Assessor>(
+      jobs_, std::move(request),
+      [content = case_](const ExecutionContext&) {
+        return Assessor{std::make_shared<const PlanAssessor>(content), voxelCentre(content.liver->liver, content.liver->geometry)};
+      },
+      [this](Assessor made) {
+        assessor_ = std::move(made.assessor);
+        liverCentre_ = made.centre;
+        assessVolumes();
+        assessAll();
+      });
+}
+
+void Document::assessVolumes() {
+  if (!assessor_) {
+    return;
+  }
+  const PlanAssessment fresh = assessor_->volumes(plan());
+  PlanAssessment shown = assessment_;  // margins and vessels stay, marked as out of date
+  shown.totalMl = fresh.totalMl;
+  shown.tumourMl = fresh.tumourMl;
+  shown.functionalMl = fresh.functionalMl;
+  shown.resectedMl = fresh.resectedMl;
+  shown.remnantMl = fresh.remnantMl;
+  shown.volumeUncertaintyMl = fresh.volumeUncertaintyMl;
+  shown.functionalRemnantMl = fresh.functionalRemnantMl;
+  shown.flrPercent = fresh.flrPercent;
+  shown.resections = fresh.resections;
+  shown.warning = fresh.warning;
+  shown.modelRevision = fresh.modelRevision;
+  assessment_ = std::move(shown);
+  freshness_ = Freshness::Volumes;
+  emit assessmentChanged();
+}
+
+void Document::assessAll() {
+  if (!assessor_) {
+    return;
+  }
+  JobRequest request{.key = "assess", .title = tr("Margins"), .quiet = true};
+  request.fail = [this](const std::exception& error) { emit storeFailed(messageOf(error)); };
+  submitFor<PlanAssessment>(
+      jobs_, std::move(request),
+      [assessor = assessor_, current = plan()](const ExecutionContext&) { return assessor->assess(current); },
+      [this, asked = assessor_](PlanAssessment assessment) {
+        if (beforeDrag_ || asked != assessor_) {
+          return;  // the plane has been grasped again, or another case opened, meanwhile: that asks anew
+        }
+        assessment_ = std::move(assessment);
+        freshness_ = Freshness::All;
+        emit assessmentChanged();
+      });
+}
+
+Vec3 voxelCentre(const Mask& mask, const ImageGeometry& geometry) {
+  if (mask.empty()) {
+    throw ReconstructionError("The liver's mask is empty; there is nothing to place a plane on.");
+  }
+  const IndexBox& box = mask.box();
+  const std::span<const std::uint8_t> values = mask.values();
+  Vec3 sum = Vec3::Zero();
+  std::size_t at = 0;
+  for (int k = 0; k < box.size[2]; ++k) {
+    for (int j = 0; j < box.size[1]; ++j) {
+      for (int i = 0; i < box.size[0]; ++i, ++at) {
+        if (values[at] != 0) {
+          sum += Vec3(i, j, k);
+        }
+      }
+    }
+  }
+  const Vec3 first(box.first[0], box.first[1], box.first[2]);
+  return geometry.toWorld(first + sum / static_cast<double>(mask.count()));
+}
+
+}  // namespace glisson

@@ -1,0 +1,130 @@
+#pragma once
+// Purpose: the open case: its content, its undo stack, its file and its numbers. The content changes only through the commands
+// here; every edit is stored at once (recovery folder until the case is saved); clean = saved. Frame: mm LPS. UI thread only.
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/gui/case_store.h"
+#include "app/jobs/job_runner.h"
+#include "planning/case/case.h"
+#include "planning/volumetry/assessment.h"
+
+namespace glisson {
+
+/// How much of assessment() belongs to the plan as it stands.
+enum class Freshness : std::uint8_t {
+  None,     ///< not computed yet
+  Volumes,  ///< volumes are right, margins and vessels are of an older plan
+  All
+};
+
+class Document : public QObject {
+  Q_OBJECT
+ public:
+  /// Unsaved cases live in `recoveryFolder`.
+  Document(JobRunner& jobs, std::filesystem::path recoveryFolder, QObject* parent = nullptr);
+  ~Document() override;
+
+  /// Shows a new case (stored in the recovery folder at once) or one from a file.
+  void open(Case content, std::shared_ptr<CaseFile> file = nullptr);
+  void close();
+  [[nodiscard]] bool isOpen() const { return open_; }
+  [[nodiscard]] const Case& content() const { return case_; }
+  /// Where the case is stored now; isRecovery() while it has no name of its own.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] bool isRecovery() const { return recovery_; }
+  [[nodiscard]] bool isReadOnly() const { return readOnly_; }
+  /// Its texts are the names of the steps in English; show them through stepName().
+  [[nodiscard]] QUndoStack& undoStack() { return undo_; }
+  [[nodiscard]] static QString stepName(const QString& text);
+  /// Saved under a name of its own and not changed since.
+  [[nodiscard]] bool isClean() const;
+
+  /// The plane being worked on: the first of the first resection; nothing while the plan is empty.
+  [[nodiscard]] std::optional<HalfSpace> plane() const;
+  [[nodiscard]] const ResectionPlan& plan() const;
+  [[nodiscard]] const PlanAssessment& assessment() const { return assessment_; }
+  [[nodiscard]] Freshness freshness() const { return freshness_; }
+  /// Centre of L's voxels, mm; nothing until computed.
+  [[nodiscard]] std::optional<Vec3> liverCentre() const { return liverCentre_; }
+
+  /// Each is one undo step with its name. A plane is placed where none is, else moved there.
+  void placePlane(const HalfSpace& plane);
+  void movePlane(const HalfSpace& plane);
+  void removePlane();
+  void setColour(const std::string& structureId, Rgb colour);
+  void setOpacity(const std::string& structureId, double opacity);
+  /// A matter of looking, not of the plan: stored, but no undo step.
+  void setVisible(const std::string& structureId, bool visible);
+
+  /// From begin to end is one undo step; between them only the volumes follow.
+  void beginDrag();
+  void dragTo(const HalfSpace& plane);
+  void endDrag(const HalfSpace& plane);
+
+  /// A finished reconstruction; colour, opacity and visibility stay as the user has set them meanwhile.
+  void setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction);
+  /// The CT of a case that was opened from its file. Ignored where its grid is not the labels'.
+  void setCt(std::shared_ptr<const CtVolume> ct);
+  void addNote(const QString& note);
+
+  /// A case in the recovery folder has no name yet: use saveAs().
+  void save();
+  void saveAs(const std::filesystem::path& path);
+  /// Blocks until every edit is on disk.
+  void flush() { store_.flush(); }
+
+ signals:
+  void caseChanged();        ///< another case, or none
+  void modelChanged();       ///< a structure was made or looks different
+  void ctChanged();          ///< the CT has come
+  void notesChanged();       ///< the problem list
+  void planChanged();        ///< the plane stands elsewhere
+  void assessmentChanged();  ///< new numbers, or old ones out of date
+  void cleanChanged();
+  void saved(const QString& path);
+  void storeFailed(const QString& message);
+
+ private:
+  friend class PlansCommand;
+  friend class AppearanceCommand;
+  struct Appearance {
+    Rgb colour;
+    double opacity = 1;
+  };
+  void leave();
+  [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const std::optional<HalfSpace>& plane) const;
+  void setPlans(std::vector<ResectionPlan> plans);
+  void setAppearance(const std::string& structureId, const Appearance& appearance);
+  void replaceModel(std::shared_ptr<const LiverModel> model);
+  void prepareAssessor();
+  void assessVolumes();
+  void assessAll();
+
+  JobRunner& jobs_;
+  std::filesystem::path recoveryFolder_;
+  bool open_ = false;
+  bool recovery_ = false;
+  bool fresh_ = false;  ///< made in this session, not opened from a file
+  bool readOnly_ = false;
+  std::filesystem::path path_;
+  Case case_;
+  QUndoStack undo_;
+  CaseStore store_;
+  std::shared_ptr<const PlanAssessor> assessor_;
+  std::optional<Vec3> liverCentre_;
+  PlanAssessment assessment_;
+  Freshness freshness_ = Freshness::None;
+  std::optional<std::vector<ResectionPlan>> beforeDrag_;
+  int savingIndex_ = -1;  ///< the undo index a save under way will make clean
+};
+
+/// Centre of the mask's voxels, mm LPS. The mask must not be empty.
+Vec3 voxelCentre(const Mask& mask, const ImageGeometry& geometry);
+
+}  // namespace glisson

@@ -1,0 +1,30 @@
+#include "app/gui/edit_commands.h"
+
+namespace glisson {
+
+PlansCommand::PlansCommand(Document& document, const QString& text, std::vector<ResectionPlan> before,
+                           std::vector<ResectionPlan> after)
+    : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)) {}
+
+void PlansCommand::undo() { document_.setPlans(before_); }
+
+void PlansCommand::redo() { document_.setPlans(after_); }
+
+AppearanceCommand::AppearanceCommand(Document& document, const QString& text, What what, std::string structureId,
+                                     Document::Appearance before, Document::Appearance after)
+    : QUndoCommand(text), document_(document), what_(what), structureId_(std::move(structureId)), before_(before), after_(after) {}
+
+bool AppearanceCommand::mergeWith(const QUndoCommand* other) {
+  const auto* next = dynamic_cast<const AppearanceCommand*>(other);
+  if (next == nullptr || next->structureId_ != structureId_ || what_ == What::Colour) {
+    return false;
+  }
+  after_ = next->after_;
+  return true;
+}
+
+void AppearanceCommand::undo() { document_.setAppearance(structureId_, before_); }
+
+void AppearanceCommand::redo() { document_.setAppearance(structureId_, after_); }
+
+}  // namespace glisson

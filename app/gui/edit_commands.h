@@ -1,0 +1,41 @@
+#pragma once
+// Purpose: the undo steps of the document. Each keeps the state before and after; plans are small values.
+
+#include <QUndoCommand>
+
+#include "app/gui/document.h"
+
+namespace glisson {
+
+class PlansCommand : public QUndoCommand {
+ public:
+  PlansCommand(Document& document, const QString& text, std::vector<ResectionPlan> before, std::vector<ResectionPlan> after);
+  void undo() override;
+  void redo() override;
+
+ private:
+  Document& document_;
+  std::vector<ResectionPlan> before_;
+  std::vector<ResectionPlan> after_;
+};
+
+/// Steps of the same slider on the same structure become one.
+class AppearanceCommand : public QUndoCommand {
+ public:
+  enum class What { Colour = 1, Opacity = 2 };
+  AppearanceCommand(Document& document, const QString& text, What what, std::string structureId, Document::Appearance before,
+                    Document::Appearance after);
+  [[nodiscard]] int id() const override { return static_cast<int>(what_); }
+  bool mergeWith(const QUndoCommand* other) override;
+  void undo() override;
+  void redo() override;
+
+ private:
+  Document& document_;
+  What what_;
+  std::string structureId_;
+  Document::Appearance before_;
+  Document::Appearance after_;
+};
+
+}  // namespace glisson

@@ -1,0 +1,30 @@
+#pragma once
+// Purpose: asks what each label of unknown kind is. Nothing is preselected: a kind is never guessed.
+
+#include <QComboBox>
+#include <QDialog>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reconstruction/image/segmentation.h"
+
+namespace glisson {
+
+class LabelDialog : public QDialog {
+  Q_OBJECT
+ public:
+  LabelDialog(const std::vector<LabelledMask>& unknown, const ImageGeometry& geometry, QWidget* parent = nullptr);
+  /// The kinds chosen, by name.
+  [[nodiscard]] std::map<std::string, StructureKind> chosen() const;
+
+ private:
+  void updateAccept();
+  std::vector<std::pair<std::string, QComboBox*>> choices_;
+  QPushButton* acceptButton_ = nullptr;
+};
+
+/// The kind's name in the user's language.
+QString kindName(StructureKind kind);
+
+}  // namespace glisson

@@ -1,0 +1,293 @@
+#include "app/gui/main_window.h"
+
+#include <Eigen/Geometry>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/case_panel.h"
+#include "app/gui/export_panel.h"
+#include "app/gui/job_bar.h"
+#include "app/gui/main_actions.h"
+#include "app/gui/message_bar.h"
+#include "app/gui/model_panel.h"
+#include "app/gui/number_text.h"
+#include "app/gui/plan_panel.h"
+#include "app/gui/plane_editor.h"
+#include "app/gui/start_page.h"
+#include "app/gui/structure_list.h"
+#include "app/gui/title_line.h"
+#include "app/gui/view_area.h"
+#include "reconstruction/errors.h"
+
+namespace glisson {
+
+MainWindow::MainWindow(JobRunner& jobs, Language& language, std::filesystem::path recoveryFolder, QWidget* parent)
+    : Translated<QMainWindow>(parent),
+      jobs_(jobs),
+      language_(language),
+      recoveryFolder_(std::move(recoveryFolder)),
+      document_(new Document(jobs, recoveryFolder_, this)),
+      opener_(new CaseOpener(jobs, this)),
+      builder_(new ModelBuilder(jobs, *document_, this)) {
+  setObjectName("mainWindow");
+  setAcceptDrops(true);
+  setMinimumSize(1024, 700);
+  build();
+  actions_ = new MainActions(*this);
+  connectParts();
+  const QSettings settings;
+  setWindowLevel(settings.value("windowWidth", WindowLevel{}.width).toDouble(),
+                 settings.value("windowLevel", WindowLevel{}.level).toDouble());
+  onCaseChanged();
+  showRecent();
+  retranslateUi();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::build() {
+  auto* centre = new QWidget(this);
+  workspaces_ = new WorkspaceBar(centre);
+  title_ = new TitleLine(*document_, centre);
+  messages_ = new MessageBar(centre);
+  splitter_ = new QSplitter(Qt::Horizontal, centre);
+  left_ = new StructureList(*document_, splitter_);
+  middle_ = new QStackedWidget(splitter_);
+  right_ = new QStackedWidget(splitter_);
+  start_ = new StartPage(middle_);
+  views_ = new ViewArea(*document_, middle_);
+  middle_->addWidget(start_);
+  middle_->addWidget(views_);
+  auto* casePanel = new CasePanel(*document_, right_);
+  connect(casePanel, &CasePanel::openRequested, this, &MainWindow::openFiles);
+  right_->addWidget(casePanel);
+  right_->addWidget(new ModelPanel(*document_, *builder_, right_));
+  plan_ = new PlanPanel(*document_, right_);
+  right_->addWidget(plan_);
+  export_ = new ExportPanel(*document_, jobs_, right_);
+  right_->addWidget(export_);
+  right_->setMinimumWidth(286);
+  left_->setMinimumWidth(200);
+  splitter_->setStretchFactor(1, 1);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->setSizes({220, 800, 300});
+  jobBar_ = new JobBar(jobs_, centre);
+
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(workspaces_);
+  column->addWidget(title_);
+  column->addWidget(messages_);
+  column->addWidget(splitter_, 1);
+  column->addWidget(jobBar_);
+  setCentralWidget(centre);
+}
+
+void MainWindow::connectParts() {
+  connect(workspaces_, &WorkspaceBar::chosen, this,
+          [this](Workspace workspace) { right_->setCurrentIndex(static_cast<int>(workspace)); });
+  connect(start_, &StartPage::sampleRequested, opener_, &CaseOpener::openSample);
+  connect(start_, &StartPage::openRequested, this, &MainWindow::openFiles);
+  connect(start_, &StartPage::recentRequested, this, [this](const QString& path) { opener_->openPaths({path}); });
+  connect(opener_, &CaseOpener::opened, this,
+          [this](const Case& content, const std::shared_ptr<CaseFile>& file, const QStringList&) { onOpened(content, file); });
+  connect(opener_, &CaseOpener::refused, this, &MainWindow::complain);
+  connect(builder_, &ModelBuilder::structureFailed, this, &MainWindow::complain);
+  connect(builder_, &ModelBuilder::structureReady, this, [this](const QString& name, double seconds) {
+    jobBar_->tell(tr("%1 is ready (%2 s).").arg(name, numberText(seconds, 1)));
+  });
+  connect(builder_, &ModelBuilder::changed, this, &MainWindow::refreshStates);
+  connect(document_, &Document::caseChanged, this, &MainWindow::onCaseChanged);
+  connect(document_, &Document::modelChanged, this, &MainWindow::refreshStates);
+  connect(document_, &Document::planChanged, this, &MainWindow::refreshStates);
+  connect(document_, &Document::cleanChanged, this, &MainWindow::refreshTitle);
+  connect(document_, &Document::storeFailed, this, &MainWindow::complain);
+  connect(document_, &Document::saved, this, [this](const QString& path) {
+    remember(path);
+    jobBar_->tell(tr("Saved: %1").arg(QDir::toNativeSeparators(path)));
+  });
+  connect(export_, &ExportPanel::exportFailed, this, &MainWindow::complain);
+  connect(export_, &ExportPanel::exported, this, [this](const QString& folder) {
+    jobBar_->tell(tr("Exported and verified: %1").arg(QDir::toNativeSeparators(folder)));
+    refreshStates();
+  });
+  PlaneEditor& editor = plan_->planeEditor();
+  connect(&editor, &PlaneEditor::placeRequested, this, &MainWindow::placePlane);
+  connect(&editor, &PlaneEditor::removeRequested, document_, &Document::removePlane);
+  connect(&editor, &PlaneEditor::planeEdited, document_, &Document::movePlane);
+  connect(&editor, &PlaneEditor::moveRequested, this, &MainWindow::movePlaneBy);
+  connect(&editor, &PlaneEditor::tiltRequested, this, &MainWindow::tiltPlane);
+  connect(&editor, &PlaneEditor::normalRefused, this,
+          [this] { complain(tr("The normal (0, 0, 0) has no direction; enter at least one component.")); });
+  connect(views_, &ViewArea::windowLevelChanged, this, [](const WindowLevel& windowLevel) {
+    QSettings settings;
+    settings.setValue("windowWidth", windowLevel.width);
+    settings.setValue("windowLevel", windowLevel.level);
+  });
+  connect(this, &MainWindow::recentChanged, start_, &StartPage::setRecent);
+  connect(this, &MainWindow::recentChanged, actions_, &MainActions::setRecent);
+}
+
+void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& file) {
+  document_->open(content, file);
+  if (file) {
+    remember(QString::fromStdString(file->path().string()));
+  }
+  if (document_->isReadOnly()) {
+    complain(tr("%1 is open in another program: it can be looked at, and changes are kept only with Save as.")
+                 .arg(QString::fromStdString(document_->path().string())));
+  }
+  if (!content.ct) {
+    readCtLater();
+  }
+  builder_->buildMissing();
+  workspaces_->setCurrent(content.plans.empty() || content.plans.front().resections.empty() ? Workspace::Model : Workspace::Plan);
+}
+
+void MainWindow::readCtLater() {
+  if (document_->content().ctSource.empty()) {
+    return;
+  }
+  JobRequest request{.key = "ct", .title = tr("Reading the CT")};
+  request.fail = [this](const std::exception& error) { document_->addNote(messageOf(error)); };
+  submitFor<std::shared_ptr<const CtVolume>>(
+      jobs_, std::move(request),
+      [content = document_->content()](const ExecutionContext& context) { return readCtOf(content, context); },
+      [this, code = document_->content().code](const std::shared_ptr<const CtVolume>& ct) {
+        if (document_->content().code == code) {
+          document_->setCt(ct);
+        }
+      });
+}
+
+void MainWindow::onCaseChanged() {
+  const bool open = document_->isOpen();
+  workspaces_->setCaseOpen(open);
+  middle_->setCurrentWidget(open ? static_cast<QWidget*>(views_) : start_);
+  left_->setVisible(open && leftWanted_);
+  right_->setVisible(open && rightWanted_);
+  refreshStates();
+  refreshTitle();
+}
+
+void MainWindow::complain(const QString& message) {
+  messages_->add(message);
+  emit failed(message);
+}
+
+void MainWindow::refreshStates() {
+  const bool open = document_->isOpen();
+  const int total = builder_->total();
+  workspaces_->setState(Workspace::Case,
+                        open ? tr("%1 labels").arg(document_->content().segmentation->structures.size()) : tr("open one"));
+  workspaces_->setState(Workspace::Model, open ? tr("%1 of %2 made").arg(total - builder_->missing()).arg(total) : QString());
+  workspaces_->setState(Workspace::Plan, !open ? QString() : document_->plane() ? tr("plane placed") : tr("no plane yet"));
+  workspaces_->setState(Workspace::Export, open ? export_->stateText() : QString());
+  actions_->refresh();
+  actions_->setPanelsShown(leftWanted_, rightWanted_);
+}
+
+void MainWindow::refreshTitle() {
+  const QString code =
+      document_->isOpen() ? QString::fromStdString(document_->content().code) + QStringLiteral("[*] - ") : QString("[*]");
+  setWindowTitle(code + QStringLiteral("Glisson"));
+  setWindowModified(!document_->isClean());
+}
+
+void MainWindow::retranslateUi() {
+  if (actions_ != nullptr) {
+    actions_->retranslateUi();
+    refreshStates();
+  }
+}
+
+void MainWindow::placePlane() {
+  const std::optional<Vec3> centre = document_->liverCentre();
+  if (!document_->isOpen() || !centre) {
+    complain(tr("The plane can be placed as soon as the liver's volumes are computed."));
+    return;
+  }
+  try {
+    const ModelView& view = views_->modelView();
+    document_->placePlane(planeFromCamera(*centre, view.viewDirection(), view.viewUp()));
+    workspaces_->setCurrent(Workspace::Plan);
+  } catch (const Error& error) {
+    complain(messageOf(error));
+  }
+}
+
+void MainWindow::movePlaneBy(double mm) {
+  if (const std::optional<HalfSpace> plane = document_->plane()) {
+    document_->movePlane(movedAlongNormal(*plane, mm));
+  }
+}
+
+void MainWindow::tiltPlane(double aboutUp, double aboutRight) {
+  const std::optional<HalfSpace> plane = document_->plane();
+  if (!plane) {
+    return;
+  }
+  const ModelView& view = views_->modelView();
+  const Vec3 right = view.viewDirection().cross(view.viewUp()).normalized();
+  HalfSpace tilted = *plane;
+  if (aboutUp != 0) {
+    tilted = turned(tilted, view.viewUp(), aboutUp);
+  }
+  if (aboutRight != 0) {
+    tilted = turned(tilted, right, aboutRight);
+  }
+  document_->movePlane(tilted);
+}
+
+void MainWindow::setWindowLevel(double width, double level) { views_->setWindowLevel({width, level}); }
+
+void MainWindow::showLeftPanel(bool shown) {
+  leftWanted_ = shown;
+  left_->setVisible(shown && document_->isOpen());
+}
+
+void MainWindow::showRightPanel(bool shown) {
+  rightWanted_ = shown;
+  right_->setVisible(shown && document_->isOpen());
+}
+
+void MainWindow::setLanguage(const QString& code) {
+  QSettings().setValue("language", code);
+  language_.use(code);
+}
+
+void MainWindow::remember(const QString& path) {
+  constexpr int kRemembered = 8;
+  QSettings settings;
+  QStringList recent = settings.value("recent").toStringList();
+  recent.removeAll(path);
+  recent.prepend(path);
+  settings.setValue("recent", QStringList(recent.mid(0, kRemembered)));
+  showRecent();
+}
+
+void MainWindow::showRecent() {
+  QStringList paths;
+  for (const QString& path : QSettings().value("recent").toStringList()) {
+    if (QFileInfo::exists(path)) {
+      paths << path;
+    }
+  }
+  const QDir recovery(QString::fromStdString(recoveryFolder_.string()));
+  for (const QFileInfo& file : recovery.entryInfoList({"*.glisson"}, QDir::Files, QDir::Time)) {
+    if (!paths.contains(file.filePath())) {
+      paths << file.filePath();  // a case that never got a name is not lost
+    }
+  }
+  emit recentChanged(paths);
+}
+
+}  // namespace glisson

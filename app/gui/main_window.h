@@ -1,0 +1,105 @@
+#pragma once
+// Purpose: the one window: puts the parts together and lets them talk. Owns the document; the jobs and the language are given.
+
+#include <QMainWindow>
+#include <filesystem>
+
+#include "app/gui/case_opener.h"
+#include "app/gui/document.h"
+#include "app/gui/language.h"
+#include "app/gui/model_builder.h"
+#include "app/gui/translated.h"
+#include "app/gui/workspace_bar.h"
+
+class QSplitter;
+class QStackedWidget;
+
+namespace glisson {
+
+class ExportPanel;
+class JobBar;
+class MainActions;
+class MessageBar;
+class PlanPanel;
+class StartPage;
+class TitleLine;
+class ViewArea;
+
+class MainWindow : public Translated<QMainWindow> {
+  Q_OBJECT
+ public:
+  MainWindow(JobRunner& jobs, Language& language, std::filesystem::path recoveryFolder, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] Document& document() { return *document_; }
+  [[nodiscard]] CaseOpener& opener() { return *opener_; }
+  [[nodiscard]] ModelBuilder& builder() { return *builder_; }
+  [[nodiscard]] ViewArea& views() { return *views_; }
+  [[nodiscard]] MessageBar& messages() { return *messages_; }
+  [[nodiscard]] ExportPanel& exportPanel() { return *export_; }
+  [[nodiscard]] TitleLine& titleLine() { return *title_; }
+  [[nodiscard]] Language& language() { return language_; }
+  [[nodiscard]] WorkspaceBar& workspaces() { return *workspaces_; }
+
+  // What the menu does.
+  void openFiles();
+  void openFolder();
+  void save();
+  void saveAs();
+  void placePlane();
+  void movePlaneBy(double mm);
+  /// Radians about the 3D view's up axis and right axis.
+  void tiltPlane(double aboutUp, double aboutRight);
+  void showAbout();
+  void showLeftPanel(bool shown);
+  void showRightPanel(bool shown);
+  void setLanguage(const QString& code);
+  void setWindowLevel(double width, double level);
+
+ signals:
+  /// An input was refused, a structure or an export failed: also shown in the message bar.
+  void failed(const QString& message);
+  void recentChanged(const QStringList& paths);
+
+ protected:
+  void retranslateUi() override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void build();
+  void connectParts();
+  void onOpened(const Case& content, const std::shared_ptr<CaseFile>& file);
+  void onCaseChanged();
+  void readCtLater();
+  void complain(const QString& message);
+  void refreshStates();
+  void refreshTitle();
+  void remember(const QString& path);
+  void showRecent();
+
+  JobRunner& jobs_;
+  Language& language_;
+  std::filesystem::path recoveryFolder_;
+  Document* document_;
+  CaseOpener* opener_;
+  ModelBuilder* builder_;
+  WorkspaceBar* workspaces_;
+  TitleLine* title_;
+  MessageBar* messages_;
+  QSplitter* splitter_;
+  QWidget* left_;
+  QStackedWidget* middle_;
+  QStackedWidget* right_;
+  StartPage* start_;
+  ViewArea* views_;
+  PlanPanel* plan_;
+  ExportPanel* export_;
+  JobBar* jobBar_;
+  MainActions* actions_ = nullptr;
+  bool leftWanted_ = true;
+  bool rightWanted_ = true;
+};
+
+}  // namespace glisson

@@ -1,0 +1,116 @@
+// The part of MainWindow that deals with files: dialogs, drops, saving, closing, and the about box.
+
+#include <QCloseEvent>
+#include <QCoreApplication>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+
+#include "app/gui/main_window.h"
+
+namespace glisson {
+
+namespace {
+
+QFileDialog* makeDialog(QWidget* parent, const QString& name, const QString& title) {
+  auto* dialog = new QFileDialog(parent, title, QSettings().value("lastFolder").toString());
+  dialog->setObjectName(name);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  return dialog;
+}
+
+void rememberFolder(const QStringList& paths) {
+  if (!paths.isEmpty()) {
+    QSettings().setValue("lastFolder", QFileInfo(paths.front()).absolutePath());
+  }
+}
+
+}  // namespace
+
+void MainWindow::openFiles() {
+  QFileDialog* dialog = makeDialog(this, "openDialog", tr("Open a CT with its segmentation, or a case"));
+  dialog->setFileMode(QFileDialog::ExistingFiles);
+  dialog->setNameFilters({tr("Images and cases (*.glisson *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm)"), tr("All files (*)")});
+  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
+    rememberFolder(paths);
+    opener_->openPaths(paths);
+  });
+  dialog->open();
+}
+
+void MainWindow::openFolder() {
+  QFileDialog* dialog = makeDialog(this, "openFolderDialog", tr("Open a folder that holds a CT and its segmentation"));
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
+    rememberFolder(paths);
+    opener_->openPaths(paths);
+  });
+  dialog->open();
+}
+
+void MainWindow::save() {
+  if (document_->isRecovery() || document_->isReadOnly()) {
+    saveAs();
+  } else {
+    document_->save();
+  }
+}
+
+void MainWindow::saveAs() {
+  if (!document_->isOpen()) {
+    return;
+  }
+  QFileDialog* dialog = makeDialog(this, "saveDialog", tr("Save the case"));
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setNameFilter(tr("Glisson cases (*.glisson)"));
+  dialog->setDefaultSuffix("glisson");
+  dialog->selectFile(QString::fromStdString(document_->content().code) + ".glisson");
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    rememberFolder({path});
+    document_->saveAs(path.toStdString());
+  });
+  dialog->open();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) {
+      paths << url.toLocalFile();
+    }
+  }
+  if (!paths.isEmpty()) {
+    event->acceptProposedAction();
+    opener_->openPaths(paths);
+  }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  // nothing to ask: every edit is in the case's file already
+  document_->flush();
+  event->accept();
+}
+
+void MainWindow::showAbout() {
+  auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Glisson"), QString(), QMessageBox::Ok, this);
+  box->setObjectName("aboutDialog");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setIconPixmap(QIcon(":/icons/glisson.svg").pixmap(64, 64));
+  box->setText(tr("Glisson %1").arg(QCoreApplication::applicationVersion()));
+  box->setInformativeText(
+      tr("Planning of liver resections: the parenchyma by Poisson surface reconstruction, vessels and tumours by "
+         "marching cubes.\n\nNot for clinical use: this is no medical device. Check every number before you "
+         "rely on it."));
+  box->open();
+}
+
+}  // namespace glisson

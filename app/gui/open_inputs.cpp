@@ -1,0 +1,222 @@
+#include "app/gui/open_inputs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "reconstruction/errors.h"
+#include "reconstruction/sample/sample_patient.h"
+
+namespace glisson {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void put(SortedInputs& sorted, InputKind kind, const fs::path& path) {
+  const auto set = [&path](std::optional<fs::path>& slot, const std::string& what) {
+    if (slot) {
+      throw InputError(slot->string() + " and " + path.string() + " both hold " + what + "; open one of them at a time.");
+    }
+    slot = path;
+  };
+  switch (kind) {
+    case InputKind::Case:
+      set(sorted.caseFile, "a case");
+      return;
+    case InputKind::Ct:
+      set(sorted.ct, "a CT");
+      return;
+    case InputKind::Segmentation:
+      set(sorted.segmentation, "a segmentation");
+      return;
+    case InputKind::Unknown:
+      return;
+  }
+}
+
+/// What the folder's entries are, where exactly one of them is a CT and one a segmentation (a patient's folder as 3D-IRCADb ships
+/// it) or one is a case; else nothing.
+std::optional<SortedInputs> patientFolder(const fs::path& folder) {
+  constexpr std::size_t kMostEntries = 64;  // a folder of slices is no patient's folder
+  std::vector<fs::path> children;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (children.size() == kMostEntries) {
+      return std::nullopt;
+    }
+    children.push_back(entry.path());
+  }
+  std::ranges::sort(children);
+  SortedInputs inside;
+  for (const fs::path& child : children) {
+    const InputKind kind = guessInput(child);
+    std::optional<fs::path>& slot = kind == InputKind::Ct     ? inside.ct
+                                    : kind == InputKind::Case ? inside.caseFile
+                                                              : inside.segmentation;
+    if (kind != InputKind::Unknown && std::exchange(slot, child)) {
+      return std::nullopt;
+    }
+  }
+  const bool pair = inside.ct && inside.segmentation && !inside.caseFile;
+  const bool lone = inside.caseFile && !inside.ct && !inside.segmentation;
+  return pair || lone ? std::optional(inside) : std::nullopt;
+}
+
+std::shared_ptr<const CtVolume> readCtOnce(const fs::path& path, const OpenRequest& request, const ExecutionContext& context) {
+  ReadSoFar& kept = *request.readSoFar;
+  if (!kept.ct) {
+    kept.ct = std::make_shared<const CtVolume>(readCt(path, request.options, context));
+  }
+  return kept.ct;
+}
+
+std::vector<LabelledMask> unknownLabels(const Segmentation& segmentation) {
+  std::vector<LabelledMask> unknown;
+  std::ranges::copy_if(segmentation.structures, std::back_inserter(unknown),
+                       [](const LabelledMask& mask) { return !mask.kind.has_value(); });
+  return unknown;
+}
+
+/// The answers of the label dialog, laid over what was read before.
+void applyKinds(Segmentation& segmentation, const ReadOptions& options) {
+  for (LabelledMask& mask : segmentation.structures) {
+    const auto chosen = options.kindByName.find(mask.name);
+    if (chosen != options.kindByName.end()) {
+      mask.kind = chosen->second;
+    }
+  }
+}
+
+OpenedCase openCaseFile(const fs::path& path) {
+  OpenedCase opened;
+  opened.file = std::make_shared<CaseFile>(CaseFile::open(path));
+  opened.content = opened.file->load();
+  std::string& ct = opened.content.ctSource;
+  if (!ct.empty() && ct != kSampleSource && fs::exists(ct) && !opened.file->ctUnchanged()) {
+    // another patient's CT on the same grid would look right [hazard H2]
+    opened.content.notes.push_back("The CT at " + ct +
+                                   " is not the one this case was made from (its files have changed): its slices are not shown.");
+    ct.clear();
+  }
+  return opened;
+}
+
+}  // namespace
+
+SortedInputs sortInputs(const std::vector<fs::path>& paths) {
+  SortedInputs sorted;
+  for (const fs::path& path : paths) {
+    if (!fs::exists(path)) {
+      throw InputError(path.string() + " does not exist; check the path.");
+    }
+    if (const std::optional<SortedInputs> inside = fs::is_directory(path) ? patientFolder(path) : std::nullopt) {
+      for (const auto& [found, kind] :
+           {std::pair(inside->ct, InputKind::Ct), std::pair(inside->segmentation, InputKind::Segmentation),
+            std::pair(inside->caseFile, InputKind::Case)}) {
+        if (found) {
+          put(sorted, kind, *found);
+        }
+      }
+      continue;
+    }
+    const InputKind kind = guessInput(path);
+    if (kind == InputKind::Unknown) {
+      throw InputError(path.string() + " holds neither a CT, nor a segmentation, nor a case; choose a DICOM folder, NIfTI, NRRD, " +
+                       "MetaImage or .glisson file.");
+    }
+    put(sorted, kind, path);
+  }
+  return sorted;
+}
+
+OpenedCase openInputs(const OpenRequest& request, const ExecutionContext& context) {
+  if (request.sample) {
+    SamplePatient patient = makeSamplePatient(false, context);
+    OpenedCase opened;
+    opened.content = newCase(std::make_shared<const CtVolume>(std::move(patient.ct)),
+                             std::make_shared<const Segmentation>(std::move(patient.segmentation)));
+    return opened;
+  }
+  const SortedInputs inputs = sortInputs(request.paths);
+  if (inputs.caseFile) {
+    return openCaseFile(*inputs.caseFile);
+  }
+  if (!inputs.segmentation) {
+    throw InputError((inputs.ct ? inputs.ct->string() : std::string("The selection")) +
+                     " holds a CT without a segmentation; open the CT and its segmentation together.");
+  }
+  std::shared_ptr<const CtVolume> ct;
+  if (inputs.ct) {
+    ct = readCtOnce(*inputs.ct, request, context.range(0.0, 0.5));
+  }
+  ReadSoFar& kept = *request.readSoFar;
+  if (!kept.segmentation) {
+    kept.segmentation =
+        std::make_shared<Segmentation>(readSegmentation(*inputs.segmentation, request.options, context.range(0.5, 0.9)));
+  }
+  Segmentation labels = *kept.segmentation;
+  applyKinds(labels, request.options);
+  OpenedCase opened;
+  opened.unknown = unknownLabels(labels);
+  if (opened.needsKinds()) {
+    return opened;
+  }
+  if (ct) {
+    labels = matchToCt(std::move(labels), *ct, request.options);
+  }
+  context.throwIfCancelled();
+  opened.content = newCase(ct, std::make_shared<const Segmentation>(std::move(labels)));
+  return opened;
+}
+
+std::shared_ptr<const CtVolume> readCtOf(const Case& content, const ExecutionContext& context) {
+  if (content.ctSource.empty()) {
+    return nullptr;
+  }
+  if (content.ctSource == kSampleSource) {
+    return std::make_shared<const CtVolume>(makeSamplePatient(false, context).ct);  // the built-in patient has no file
+  }
+  if (!fs::exists(content.ctSource)) {
+    throw InputError("The CT of this case is no longer at " + content.ctSource + "; put it back to see the slices.");
+  }
+  // These very files were accepted when the case was made: the same consents hold, and of two frames the one on the labels' grid.
+  ReadOptions options;
+  options.consents = {Consent::Tilt, Consent::UnevenSlices};
+  try {
+    return std::make_shared<const CtVolume>(readCt(content.ctSource, options, context));
+  } catch (const InputError& refusal) {
+    if (std::string(refusal.what()).find("--prefer") == std::string::npos) {
+      throw;
+    }
+  }
+  options.niftiFrame = NiftiFrame::SForm;
+  auto ct = std::make_shared<const CtVolume>(readCt(content.ctSource, options, context));
+  if (content.segmentation && content.segmentation->geometry.cornerDistance(ct->geometry) > kSameGridMm) {
+    options.niftiFrame = NiftiFrame::QForm;
+    ct = std::make_shared<const CtVolume>(readCt(content.ctSource, options, context));
+  }
+  return ct;
+}
+
+std::optional<ConsentQuestion> questionOf(const std::string& refusal) {
+  constexpr std::array kFlags{
+      std::pair{"resample-labels", Consent::ResampleLabels},
+      std::pair{"uneven-slices", Consent::UnevenSlices},
+      std::pair{"other-patient", Consent::OtherPatient},
+      std::pair{"tilt", Consent::Tilt},
+  };
+  if (refusal.find("--prefer") != std::string::npos) {
+    return ConsentQuestion{};
+  }
+  const std::size_t at = refusal.find("--accept");
+  if (at == std::string::npos) {
+    return std::nullopt;
+  }
+  for (const auto& [flag, consent] : kFlags) {
+    if (refusal.find(flag, at) != std::string::npos) {
+      return ConsentQuestion{consent};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace glisson

@@ -1,0 +1,231 @@
+#include "app/gui/plan_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollArea>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/big_number.h"
+#include "app/gui/number_text.h"
+#include "app/gui/plane_editor.h"
+
+namespace glisson {
+
+namespace {
+
+QTreeWidget* makeTable(const QString& name, QWidget* parent) {
+  auto* table = new QTreeWidget(parent);
+  table->setObjectName(name);
+  table->setRootIsDecorated(false);
+  table->setSelectionMode(QAbstractItemView::NoSelection);
+  table->setMinimumHeight(76);
+  table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // shares what room is left
+  table->header()->setStretchLastSection(false);
+  return table;
+}
+
+QString stateText(TumourState state) {
+  switch (state) {
+    case TumourState::Removed:
+      return PlanPanel::tr("removed");
+    case TumourState::Cut:
+      return PlanPanel::tr("cut");
+    case TumourState::Left:
+      break;
+  }
+  return PlanPanel::tr("left");
+}
+
+QString marginText(const TumourAssessment& tumour) {
+  if (tumour.marginMm) {
+    const QString atLeast =
+        tumour.marginAtLeastMm ? QStringLiteral(" (\u2265 ") + mmText(*tumour.marginAtLeastMm) + ')' : QString();
+    return mmText(*tumour.marginMm) + atLeast;
+  }
+  return tumour.distanceMm ? PlanPanel::tr("%1 from the cut").arg(mmText(*tumour.distanceMm)) : QString();
+}
+
+}  // namespace
+
+PlanPanel::PlanPanel(Document& document, QWidget* parent)
+    : Translated<QWidget>(parent),
+      document_(document),
+      flr_(new BigNumber("flr", 1.8, this)),
+      resected_(new BigNumber("resected", 1.8, this)),
+      remnant_(new BigNumber("remnant", 1.2, this)),
+      margin_(new BigNumber("margin", 1.8, this)),
+      warning_(new QLabel(this)),
+      uncertainty_(new QLabel(this)),
+      editor_(new PlaneEditor(this)),
+      tumoursLabel_(new QLabel(this)),
+      tumours_(makeTable("tumourTable", this)),
+      vesselsLabel_(new QLabel(this)),
+      vessels_(makeTable("vesselTable", this)) {
+  setObjectName("planPanel");
+  warning_->setObjectName("planWarning");
+  warning_->setWordWrap(true);
+  uncertainty_->setWordWrap(true);
+
+  auto* content = new QWidget(this);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(6, 4, 6, 4);
+  column->setSpacing(3);
+  for (QWidget* part : std::initializer_list<QWidget*>{flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_,
+                                                       tumoursLabel_, tumours_, vesselsLabel_, vessels_}) {
+    column->addWidget(part);
+  }
+  column->setStretchFactor(tumours_, 2);
+  column->setStretchFactor(vessels_, 3);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(content);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(scroll);
+
+  connect(&document_, &Document::assessmentChanged, this, &PlanPanel::refresh);
+  connect(&document_, &Document::planChanged, this, &PlanPanel::refreshPlane);
+  connect(&document_, &Document::caseChanged, this, &PlanPanel::refresh);
+  retranslateUi();
+}
+
+void PlanPanel::retranslateUi() {
+  flr_->setCaption(tr("FLR"));
+  flr_->setToolTip(tr("Future liver remnant: functional liver left, and its share of the functional liver"));
+  resected_->setCaption(tr("RESECTED"));
+  resected_->setToolTip(tr("Volume on the resected side, and its share of the whole liver"));
+  remnant_->setCaption(tr("REMNANT"));
+  remnant_->setToolTip(tr("Volume left, tumours in it included, and its share of the whole liver"));
+  tumoursLabel_->setText(tr("Tumours"));
+  vesselsLabel_->setText(tr("Vessels crossed"));
+  tumours_->setHeaderLabels({tr("Tumour"), tr("State"), tr("Margin")});
+  vessels_->setHeaderLabels({tr("Vessel"), tr("Diameter")});
+  refresh();
+  refreshPlane();
+}
+
+void PlanPanel::refresh() {
+  refreshVolumes();
+  refreshMargin();
+  refreshTables();
+  refreshPlacing();
+}
+
+void PlanPanel::refreshVolumes() {
+  const bool known = document_.freshness() != Freshness::None;
+  const PlanAssessment& now = document_.assessment();
+  const QString missing = document_.isOpen() && !known ? tr("computing") : QString();
+  const auto show = [&](BigNumber& number, double ml, double percent) {
+    number.setNote(missing);
+    number.setValue(known ? mlText(ml) : QStringLiteral("- mL"), known ? percentText(percent) : QStringLiteral("- %"));
+  };
+  show(*flr_, now.functionalRemnantMl, now.flrPercent);
+  show(*resected_, now.resectedMl, now.totalMl > 0 ? 100 * now.resectedMl / now.totalMl : 0);
+  show(*remnant_, now.remnantMl, now.totalMl > 0 ? 100 * now.remnantMl / now.totalMl : 0);
+  uncertainty_->setVisible(known);
+  uncertainty_->setText(tr("Liver %1, functional %2, uncertainty of the cut \u00B1%3")
+                            .arg(mlText(now.totalMl), mlText(now.functionalMl), mlText(now.volumeUncertaintyMl, 1)));
+  int planes = 0;
+  for (const Resection& resection : document_.plan().resections) {
+    planes += static_cast<int>(resection.planes.size());
+  }
+  QString warning = QString::fromStdString(now.warning);
+  if (planes > 1) {
+    warning =
+        tr("This plan has %1 planes: the numbers count all of them, the views show and move the first one only.").arg(planes) +
+        QStringLiteral(" ") + warning;
+  }
+  warning_->setVisible(known && !warning.isEmpty());
+  warning_->setText(warning);
+}
+
+void PlanPanel::refreshMargin() {
+  const PlanAssessment& now = document_.assessment();
+  const TumourAssessment* tumour = decisiveTumour(now);
+  const bool computed = document_.freshness() == Freshness::All;
+  margin_->setOutOfDate({});
+  margin_->setWarning({});
+  margin_->setNote({});
+  if (tumour == nullptr || !document_.plane()) {
+    margin_->setCaption(tr("MARGIN"));
+    margin_->setValue(QStringLiteral("- mm"), {});
+    const QString reason = !document_.plane() ? tr("no plane") : computed ? tr("no tumour") : tr("computing");
+    margin_->setNote(document_.isOpen() ? reason : QString());
+    return;
+  }
+  margin_->setCaption(tr("MARGIN %1, %2").arg(QString::fromStdString(tumour->name), stateText(tumour->state)));
+  const double value = tumour->marginMm.value_or(tumour->distanceMm.value_or(0.0));
+  margin_->setValue(mmText(value),
+                    tumour->marginAtLeastMm ? QStringLiteral("\u2265\u00A0") + numberText(*tumour->marginAtLeastMm, 1) : QString());
+  if (!computed) {
+    margin_->setOutOfDate(tr("out of date"));
+  } else if (tumour->state == TumourState::Cut) {
+    margin_->setWarning(tr("tumour is cut"));
+  } else if (tumour->state == TumourState::Removed && tumour->marginAtLeastMm.value_or(value) < document_.plan().safetyMarginMm) {
+    margin_->setWarning(tr("below %1").arg(mmText(document_.plan().safetyMarginMm, 0)));
+  }
+}
+
+void PlanPanel::refreshTables() {
+  const PlanAssessment& now = document_.assessment();
+  const bool computed = document_.freshness() == Freshness::All;
+  const bool shown = document_.isOpen() && document_.plane().has_value();
+  tumours_->clear();
+  vessels_->clear();
+  if (shown) {
+    for (const TumourAssessment& tumour : now.tumours) {
+      auto* row = new QTreeWidgetItem(tumours_, {QString::fromStdString(tumour.name), stateText(tumour.state), marginText(tumour)});
+      row->setToolTip(2, marginText(tumour));
+    }
+    for (const VesselCrossing& vessel : now.vesselsCrossed) {
+      auto* row = new QTreeWidgetItem(vessels_, {QString::fromStdString(vessel.name), mmText(vessel.diameterMm)});
+      row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    }
+  }
+  const auto grey = [&](QTreeWidget* table) {
+    table->setEnabled(computed);
+    table->setToolTip(computed ? QString() : tr("Out of date until the plane rests"));
+    for (int column = 0; column < table->columnCount(); ++column) {
+      table->header()->setSectionResizeMode(column, column == 0 ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+    }
+  };
+  grey(tumours_);
+  grey(vessels_);
+  vesselsLabel_->setText(shown ? tr("Vessels crossed: %1").arg(now.vesselsCrossed.size()) : tr("Vessels crossed"));
+}
+
+void PlanPanel::refreshPlane() { editor_->setPlane(document_.plane()); }
+
+void PlanPanel::refreshPlacing() {
+  QString refusal;
+  if (!document_.isOpen()) {
+    refusal = tr("Open a case first.");
+  } else if (!document_.liverCentre()) {
+    refusal = tr("The liver's volumes are being computed.");
+  }
+  editor_->setPlaceRefusal(refusal);
+}
+
+namespace {
+double lowerBound(const TumourAssessment& tumour) { return tumour.marginAtLeastMm.value_or(tumour.marginMm.value_or(0.0)); }
+}  // namespace
+
+const TumourAssessment* decisiveTumour(const PlanAssessment& assessment) {
+  const TumourAssessment* margin = nullptr;
+  const TumourAssessment* nearest = nullptr;
+  for (const TumourAssessment& tumour : assessment.tumours) {
+    // the lower bound decides
+    if (tumour.marginMm && (margin == nullptr || lowerBound(tumour) < lowerBound(*margin))) {
+      margin = &tumour;
+    }
+    if (!tumour.marginMm && tumour.distanceMm && (nearest == nullptr || *tumour.distanceMm < *nearest->distanceMm)) {
+      nearest = &tumour;
+    }
+  }
+  return margin != nullptr ? margin : nearest;
+}
+
+}  // namespace glisson

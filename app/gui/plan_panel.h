@@ -1,0 +1,53 @@
+#pragma once
+// Purpose: the plan's numbers and the plane's fields. The three that decide are the largest text of the window.
+
+#include <QWidget>
+
+#include "app/gui/document.h"
+#include "app/gui/translated.h"
+
+class QGroupBox;
+class QLabel;
+class QTreeWidget;
+
+namespace glisson {
+
+class BigNumber;
+class PlaneEditor;
+
+class PlanPanel : public Translated<QWidget> {
+  Q_OBJECT
+ public:
+  explicit PlanPanel(Document& document, QWidget* parent = nullptr);
+  [[nodiscard]] PlaneEditor& planeEditor() { return *editor_; }
+
+ protected:
+  void retranslateUi() override;
+
+ private:
+  void refresh();
+  void refreshVolumes();
+  void refreshMargin();
+  void refreshTables();
+  void refreshPlane();
+  void refreshPlacing();
+
+  Document& document_;
+  BigNumber* flr_;
+  BigNumber* resected_;
+  BigNumber* remnant_;
+  BigNumber* margin_;
+  QLabel* warning_;
+  QLabel* uncertainty_;
+  PlaneEditor* editor_;
+  QLabel* tumoursLabel_;
+  QTreeWidget* tumours_;
+  QLabel* vesselsLabel_;
+  QTreeWidget* vessels_;
+};
+
+/// The tumour whose margin decides: the smallest margin of those removed or cut, else the nearest of those left. Null where none
+/// is.
+const TumourAssessment* decisiveTumour(const PlanAssessment& assessment);
+
+}  // namespace glisson

@@ -1,0 +1,222 @@
+#include "app/gui/plane_editor.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <algorithm>
+#include <numbers>
+#include <span>
+
+namespace glisson {
+
+namespace {
+
+QDoubleSpinBox* makeField(QWidget* parent, const QString& name, double limit, int decimals, double step) {
+  auto* field = new QDoubleSpinBox(parent);
+  field->setObjectName(name);
+  field->setRange(-limit, limit);
+  field->setDecimals(decimals);
+  field->setSingleStep(step);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setKeyboardTracking(false);
+  field->setAlignment(Qt::AlignRight);
+  field->setMinimumWidth(56);
+  return field;
+}
+
+QToolButton* makeButton(QWidget* parent, const QString& name, Qt::ArrowType arrow) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName(name);
+  button->setArrowType(arrow);
+  button->setAutoRepeat(false);
+  return button;
+}
+
+}  // namespace
+
+PlaneEditor::PlaneEditor(QWidget* parent)
+    : Translated<QGroupBox>(parent),
+      place_(new QPushButton(this)),
+      flip_(new QPushButton(this)),
+      remove_(new QPushButton(this)),
+      originLabel_(new QLabel(this)),
+      normalLabel_(new QLabel(this)),
+      moveLabel_(new QLabel(this)),
+      tiltLabel_(new QLabel(this)),
+      moveStep_(makeField(this, "moveStep", 50, 1, 1)),
+      tiltStep_(makeField(this, "tiltStep", 45, 1, 1)) {
+  setObjectName("planeEditor");
+  place_->setObjectName("placePlane");
+  flip_->setObjectName("flipPlane");
+  remove_->setObjectName("removePlane");
+  constexpr std::array kAxes{"X", "Y", "Z"};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    origin_[axis] = makeField(this, QString("origin") + kAxes[axis], 5000, 1, 1);
+    normal_[axis] = makeField(this, QString("normal") + kAxes[axis], 1, 3, 0.01);
+  }
+  move_ = {makeButton(this, "moveBack", Qt::LeftArrow), makeButton(this, "moveForward", Qt::RightArrow)};
+  tilt_ = {makeButton(this, "tiltLeft", Qt::LeftArrow), makeButton(this, "tiltRight", Qt::RightArrow),
+           makeButton(this, "tiltUp", Qt::UpArrow), makeButton(this, "tiltDown", Qt::DownArrow)};
+  moveStep_->setRange(0.1, 50);
+  moveStep_->setValue(2);
+  tiltStep_->setRange(0.1, 45);
+  tiltStep_->setValue(2);
+  build();
+
+  connect(place_, &QPushButton::clicked, this, &PlaneEditor::placeRequested);
+  connect(remove_, &QPushButton::clicked, this, &PlaneEditor::removeRequested);
+  connect(flip_, &QPushButton::clicked, this, [this] {
+    if (plane_) {
+      emit planeEdited({plane_->origin, -plane_->normal});
+    }
+  });
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    connect(origin_[axis], &QDoubleSpinBox::editingFinished, this, &PlaneEditor::commitFields);
+    connect(normal_[axis], &QDoubleSpinBox::editingFinished, this, &PlaneEditor::commitNormal);
+  }
+  connect(move_[0], &QToolButton::clicked, this, [this] { emit moveRequested(-moveStepMm()); });
+  connect(move_[1], &QToolButton::clicked, this, [this] { emit moveRequested(moveStepMm()); });
+  connect(tilt_[0], &QToolButton::clicked, this, [this] { emit tiltRequested(tiltStepRadians(), 0); });
+  connect(tilt_[1], &QToolButton::clicked, this, [this] { emit tiltRequested(-tiltStepRadians(), 0); });
+  connect(tilt_[2], &QToolButton::clicked, this, [this] { emit tiltRequested(0, tiltStepRadians()); });
+  connect(tilt_[3], &QToolButton::clicked, this, [this] { emit tiltRequested(0, -tiltStepRadians()); });
+  retranslateUi();
+  updateEnabled();
+}
+
+void PlaneEditor::build() {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(6, 4, 6, 6);
+  grid->setVerticalSpacing(3);
+  grid->addWidget(place_, 0, 0, 1, 4);
+  grid->addWidget(originLabel_, 1, 0);
+  grid->addWidget(normalLabel_, 2, 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    grid->addWidget(origin_[static_cast<std::size_t>(axis)], 1, axis + 1);
+    grid->addWidget(normal_[static_cast<std::size_t>(axis)], 2, axis + 1);
+  }
+  const auto addRow = [this, grid](int row, QLabel* label, QDoubleSpinBox* step, std::span<QToolButton* const> buttons) {
+    grid->addWidget(label, row, 0);
+    grid->addWidget(step, row, 1);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(2);
+    for (QToolButton* button : buttons) {
+      line->addWidget(button);
+    }
+    line->addStretch(1);
+    grid->addLayout(line, row, 2, 1, 2);
+  };
+  addRow(3, moveLabel_, moveStep_, move_);
+  addRow(4, tiltLabel_, tiltStep_, tilt_);
+  auto* last = new QHBoxLayout;
+  last->addWidget(flip_);
+  last->addWidget(remove_);
+  grid->addLayout(last, 5, 0, 1, 4);
+}
+
+void PlaneEditor::retranslateUi() {
+  setTitle(tr("Resection plane"));
+  place_->setText(tr("Place plane on the liver"));
+  flip_->setText(tr("Swap sides"));
+  remove_->setText(tr("Remove plane"));
+  originLabel_->setText(tr("Origin"));
+  originLabel_->setToolTip(tr("A point of the plane, mm: to the patient's left, posterior, superior"));
+  normalLabel_->setText(tr("Normal"));
+  normalLabel_->setToolTip(tr("The direction that points to the resected side; made one long when entered"));
+  moveLabel_->setText(tr("Move"));
+  tiltLabel_->setText(tr("Tilt"));
+  moveStep_->setSuffix(QStringLiteral(" mm"));
+  tiltStep_->setSuffix(QStringLiteral("\u00B0"));
+  move_[0]->setToolTip(tr("Move towards the remnant"));
+  move_[1]->setToolTip(tr("Move towards the resected side"));
+  tilt_[0]->setToolTip(tr("Turn left as seen in the 3D view"));
+  tilt_[1]->setToolTip(tr("Turn right as seen in the 3D view"));
+  tilt_[2]->setToolTip(tr("Turn up as seen in the 3D view"));
+  tilt_[3]->setToolTip(tr("Turn down as seen in the 3D view"));
+  for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
+    field->setLocale(QLocale());
+  }
+  updateEnabled();
+}
+
+void PlaneEditor::setPlane(const std::optional<HalfSpace>& plane) {
+  plane_ = plane;
+  const HalfSpace shown = plane.value_or(HalfSpace{Vec3::Zero(), Vec3::Zero()});
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<std::size_t>(axis);
+    const QSignalBlocker quietOrigin(origin_[at]);
+    const QSignalBlocker quietNormal(normal_[at]);
+    origin_[at]->setValue(shown.origin[axis]);
+    normal_[at]->setValue(shown.normal[axis]);
+  }
+  updateEnabled();
+}
+
+void PlaneEditor::setPlaceRefusal(const QString& reason) {
+  place_->setEnabled(reason.isEmpty());
+  place_->setToolTip(reason.isEmpty() ? tr("Through the middle of the liver, edge-on as seen in the 3D view (P)") : reason);
+}
+
+double PlaneEditor::moveStepMm() const { return moveStep_->value(); }
+
+double PlaneEditor::tiltStepRadians() const { return tiltStep_->value() * std::numbers::pi / 180.0; }
+
+void PlaneEditor::commitNormal() {
+  // on the way from one component to the next the three numbers are no direction yet: wait for Enter or for leaving them
+  const QObject* sender = QObject::sender();
+  const bool onTheWay = std::ranges::any_of(
+      normal_, [this, sender](QDoubleSpinBox* field) { return field != sender && field == window()->focusWidget(); });
+  if (!onTheWay) {
+    commitFields();
+  }
+}
+
+void PlaneEditor::commitFields() {
+  if (!plane_) {
+    return;
+  }
+  HalfSpace typed = *plane_;
+  bool changed = false;
+  // a field that still shows the rounded old value keeps the exact old value
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<std::size_t>(axis);
+    origin_[at]->interpretText();  // what was typed counts, left or not
+    normal_[at]->interpretText();
+    if (std::abs(origin_[at]->value() - typed.origin[axis]) > 0.051) {
+      typed.origin[axis] = origin_[at]->value();
+      changed = true;
+    }
+    if (std::abs(normal_[at]->value() - typed.normal[axis]) > 0.00051) {
+      typed.normal[axis] = normal_[at]->value();
+      changed = true;
+    }
+  }
+  if (typed.normal.norm() < 1e-3) {
+    setPlane(plane_);
+    emit normalRefused();
+    return;
+  }
+  if (changed) {
+    typed.normal.normalize();
+    emit planeEdited(typed);
+  }
+}
+
+void PlaneEditor::updateEnabled() {
+  const QString reason = plane_ ? QString() : tr("Place a plane first.");
+  for (QWidget* control : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+    if (control == place_ || qobject_cast<QLabel*>(control) != nullptr) {
+      continue;
+    }
+    control->setEnabled(plane_.has_value());
+    if (qobject_cast<QToolButton*>(control) == nullptr) {
+      control->setToolTip(reason);
+    }
+  }
+}
+
+}  // namespace glisson

@@ -1,0 +1,66 @@
+#pragma once
+// Purpose: everything the mouse does with the plane, exactly: origin and normal typed in (mm LPS), steps along the normal, tilts,
+// sides swapped, placed, removed. Knows no document: it asks by signals.
+
+#include <QGroupBox>
+#include <array>
+#include <optional>
+
+#include "app/gui/translated.h"
+#include "reconstruction/mesh/cut.h"
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace glisson {
+
+class PlaneEditor : public Translated<QGroupBox> {
+  Q_OBJECT
+ public:
+  explicit PlaneEditor(QWidget* parent = nullptr);
+
+  void setPlane(const std::optional<HalfSpace>& plane);
+  /// Why no plane can be placed now; empty: it can.
+  void setPlaceRefusal(const QString& reason);
+  [[nodiscard]] double moveStepMm() const;
+  [[nodiscard]] double tiltStepRadians() const;
+
+ signals:
+  void placeRequested();
+  void removeRequested();
+  void planeEdited(const glisson::HalfSpace& plane);
+  /// Millimetres along the normal.
+  void moveRequested(double mm);
+  /// Radians about the picture's up axis and about its right axis.
+  void tiltRequested(double aboutUp, double aboutRight);
+  /// A normal of no length was typed: the fields were put back.
+  void normalRefused();
+
+ protected:
+  void retranslateUi() override;
+
+ private:
+  void build();
+  void commitFields();
+  void commitNormal();
+  void updateEnabled();
+
+  std::optional<HalfSpace> plane_;
+  QPushButton* place_;
+  QPushButton* flip_;
+  QPushButton* remove_;
+  QLabel* originLabel_;
+  QLabel* normalLabel_;
+  QLabel* moveLabel_;
+  QLabel* tiltLabel_;
+  std::array<QDoubleSpinBox*, 3> origin_{};
+  std::array<QDoubleSpinBox*, 3> normal_{};
+  QDoubleSpinBox* moveStep_;
+  QDoubleSpinBox* tiltStep_;
+  std::array<QToolButton*, 2> move_{};
+  std::array<QToolButton*, 4> tilt_{};
+};
+
+}  // namespace glisson

@@ -1,0 +1,58 @@
+#include "app/gui/screenshot.h"
+
+#include <QPainter>
+#include <QTimer>
+
+#include "app/gui/main_window.h"
+#include "app/gui/view_area.h"
+
+namespace glisson {
+
+QImage pictureOf(MainWindow& window) {
+  QImage picture = window.grab().toImage();
+  ModelView& view = window.views().modelView();
+  if (view.isVisible()) {
+    QPainter painter(&picture);
+    painter.drawImage(QRect(view.mapTo(&window, QPoint(0, 0)), view.size()), view.picture());
+  }
+  return picture;
+}
+
+ScreenshotTaker::ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString path, bool placePlane)
+    : QObject(&window), window_(window), jobs_(jobs), path_(std::move(path)), placePlane_(placePlane) {
+  connect(&jobs_, &JobRunner::becameIdle, this, &ScreenshotTaker::proceed, Qt::QueuedConnection);
+  connect(&window_, &MainWindow::failed, this,
+          [this](const QString& message) { finish(window_.document().isOpen() ? 4 : 3, message); });
+}
+
+void ScreenshotTaker::proceed() {
+  Document& document = window_.document();
+  if (finished_ || !jobs_.idle() || !document.isOpen()) {
+    return;
+  }
+  if (window_.builder().missing() > 0) {
+    finish(4, tr("%1 structures could not be reconstructed.").arg(window_.builder().missing()));
+    return;
+  }
+  if (placePlane_ && !document.plane()) {
+    placePlane_ = false;
+    window_.placePlane();  // its numbers are computed in a job, whose end comes back here
+    return;
+  }
+  window_.workspaces().setCurrent(Workspace::Plan);
+  // two turns of the event loop: layouts settle, then the views draw what they were told
+  QTimer::singleShot(0, this, [this] {
+    QTimer::singleShot(200, this, [this] {
+      const bool written = pictureOf(window_).save(path_, "PNG");
+      finish(written ? 0 : 3, written ? QString() : tr("%1 cannot be written; check the folder.").arg(path_));
+    });
+  });
+}
+
+void ScreenshotTaker::finish(int exitCode, const QString& message) {
+  if (!std::exchange(finished_, true)) {
+    emit done(exitCode, message);
+  }
+}
+
+}  // namespace glisson

@@ -1,0 +1,37 @@
+#pragma once
+// Purpose: `glisson --screenshot`: waits until every structure is made and every number computed, then paints the whole window, 3D
+// included, into a PNG.
+
+#include <QImage>
+#include <QObject>
+
+#include "app/jobs/job_runner.h"
+
+namespace glisson {
+
+class MainWindow;
+
+/// The window as it is now; the 3D view as ModelView::picture() gives it.
+QImage pictureOf(MainWindow& window);
+
+class ScreenshotTaker : public QObject {
+  Q_OBJECT
+ public:
+  /// `placePlane`: puts the first plane where the plan is empty (the sample patient's picture).
+  ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString path, bool placePlane);
+
+ signals:
+  /// 0: written. 3: an input was refused or the file cannot be written. 4: a structure could not be made. `message` is empty for 0.
+  void done(int exitCode, const QString& message);
+
+ private:
+  void proceed();
+  void finish(int exitCode, const QString& message);
+  MainWindow& window_;
+  JobRunner& jobs_;
+  QString path_;
+  bool placePlane_;
+  bool finished_ = false;
+};
+
+}  // namespace glisson

@@ -1,0 +1,28 @@
+#pragma once
+// Purpose: the command line of glisson (design.md section 4): what to open and whether to make a picture of it.
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include "reconstruction/io/read.h"
+
+namespace glisson {
+
+struct StartOptions {
+  QStringList paths;
+  bool sample = false;
+  QString screenshot;  ///< path of a PNG; empty: an ordinary window
+  QSize size{1440, 900};
+  QString language;  ///< "en", "de" or empty: the remembered one
+  ReadOptions read;
+  bool help = false;
+  bool version = false;
+};
+
+/// Parses the arguments without the program's name. Throws UsageError: one sentence.
+StartOptions parseStartOptions(const QStringList& arguments);
+/// The text of --help.
+QString usageText();
+
+}  // namespace glisson

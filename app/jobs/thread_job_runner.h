@@ -1,0 +1,24 @@
+#pragma once
+// Purpose: jobs on QThreads, one per running job. The destructor cancels what runs and waits for its threads.
+
+#include <QThread>
+#include <map>
+
+#include "app/jobs/job_runner.h"
+
+namespace glisson {
+
+class ThreadJobRunner : public JobRunner {
+  Q_OBJECT
+ public:
+  explicit ThreadJobRunner(int heavyLimit = 2, QObject* parent = nullptr);
+  ~ThreadJobRunner() override;
+
+ protected:
+  void launch(JobId id, std::function<void()> work) override;
+
+ private:
+  std::map<JobId, std::unique_ptr<QThread>> threads_;
+};
+
+}  // namespace glisson

@@ -1,0 +1,34 @@
+# What every target of the project has in common: C++20, warnings, repeatable floating point, precompiled standard headers.
+include_guard()
+find_program(GLISSON_CCACHE ccache)
+if(GLISSON_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${GLISSON_CCACHE})
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+if(GLISSON_SANITIZE)
+  add_compile_options(-fsanitize=${GLISSON_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${GLISSON_SANITIZE})
+endif()
+if(GLISSON_COVERAGE)
+  add_compile_options(--coverage -fprofile-update=atomic)
+  add_link_options(--coverage)
+endif()
+
+# Call once per target. Includes are written from the project's root: #include "reconstruction/mesh/surface_mesh.h".
+function(glisson_target name)
+  target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+                                         -Woverloaded-virtual -ffp-contract=off)
+  if(GLISSON_WERROR)
+    target_compile_options(${name} PRIVATE -Werror)
+  endif()
+  target_precompile_headers(${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional>
+                            <set> <span> <string> <string_view> <unordered_map> <vector> <Eigen/Core> <Eigen/LU>)
+endfunction()

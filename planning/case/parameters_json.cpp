@@ -1,0 +1,52 @@
+#include "planning/case/parameters_json.h"
+
+namespace glisson {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+Json picked(const Json& all, std::initializer_list<const char*> keys) {
+  Json json;
+  for (const char* key : keys) {
+    json[key] = all.at(key);
+  }
+  return json;
+}
+}  // namespace
+
+Json parametersJson(const ReconstructionParameters& p) {
+  return {{"method", p.method == Method::Psr ? "psr" : "mcsd"},
+          {"depth", p.psr.depth},
+          {"sampling", p.psr.sampling == Sampling::Paper ? "paper" : "unbiased"},
+          {"pointWeight", p.psr.pointWeight},
+          {"scale", p.psr.scale},
+          {"smoothing", p.mcsd.smoothing},
+          {"filter", p.mcsd.filter == SmoothingFilter::Sinc ? "sinc" : "laplacian"},
+          {"decimation", p.mcsd.decimation},
+          {"order", p.mcsd.order == McsdOrder::DecimateFirst ? "decimate-first" : "smooth-first"},
+          {"splitNormals", p.mcsd.splitNormals}};
+}
+
+ReconstructionParameters parametersFromJson(const Json& json) {
+  ReconstructionParameters p;
+  p.method = json.at("method") == "psr" ? Method::Psr : Method::Mcsd;
+  p.psr.depth = json.at("depth");
+  p.psr.sampling = json.at("sampling") == "paper" ? Sampling::Paper : Sampling::Unbiased;
+  p.psr.pointWeight = json.at("pointWeight");
+  p.psr.scale = json.at("scale");
+  p.mcsd.smoothing = json.at("smoothing");
+  p.mcsd.filter = json.at("filter") == "sinc" ? SmoothingFilter::Sinc : SmoothingFilter::Laplacian;
+  p.mcsd.decimation = json.at("decimation");
+  p.mcsd.order = json.at("order") == "decimate-first" ? McsdOrder::DecimateFirst : McsdOrder::SmoothFirst;
+  p.mcsd.splitNormals = json.at("splitNormals");
+  p.validate();
+  return p;
+}
+
+Json usedParametersJson(const ReconstructionParameters& parameters) {
+  const Json all = parametersJson(parameters);
+  return parameters.method == Method::Psr ? picked(all, {"method", "depth", "sampling", "pointWeight", "scale"})
+                                          : picked(all, {"method", "smoothing", "filter", "decimation", "order"});
+}
+
+}  // namespace glisson

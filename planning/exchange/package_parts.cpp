@@ -1,0 +1,269 @@
+#include "planning/exchange/package_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reconstruction/errors.h"
+#include "reconstruction/mesh/cut.h"
+#include "reconstruction/mesh/edges.h"
+#include "reconstruction/mesh/self_intersection.h"
+#include "reconstruction/text.h"
+
+namespace glisson {
+
+namespace {
+
+constexpr Rgb kResectedColour{160, 160, 160};
+constexpr Rgb kSurfaceColour{240, 240, 240};
+/// cutForFloats() leaves a cut's corners this near to its plane, in units of floatSpacingMm().
+constexpr double kOnPlaneSpacings = 10;
+/// ... and moves nothing farther than this for each plane.
+constexpr double kMovedSpacings = 40;
+
+std::string numbered(const std::string& stem, std::size_t number) {
+  return stem + (number < 10 ? "_0" : "_") + std::to_string(number);
+}
+
+/// "portal_vein" -> "Portal vein", "tumour_01" -> "Tumour 1".
+std::string nameFromId(const std::string& id) {
+  std::string name;
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    const bool padding = id[i] == '0' && i > 0 && id[i - 1] == '_' && i + 1 < id.size();
+    if (!padding) {
+      name += id[i] == '_' ? ' ' : id[i];
+    }
+  }
+  if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') {
+    name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  }
+  return name;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) {
+    text += (text.empty() ? "" : ", ") + part;
+  }
+  return text;
+}
+
+void requireSound(const Structure& structure, const ExecutionContext& context) {
+  if (!structure.reconstruction) {
+    throw PlanningError("The structure \"" + structure.id + "\" has not been built yet: let its model finish, then export again.");
+  }
+  const SurfaceMesh& mesh = structure.reconstruction->mesh;
+  MeshDefects defects = mesh.defects();
+  if (!defects.any()) {
+    defects.selfIntersections = countSelfIntersections(mesh, context);
+  }
+  if (defects.any()) {
+    throw PlanningError("The structure \"" + structure.id + "\" has defects (" + joined(defects.names()) +
+                        ") and is not exported: reconstruct it with other parameters.");
+  }
+}
+
+void requireAccepted(const LiverModel& model, const ExportOptions& options) {
+  std::vector<std::string> deviating;
+  for (const Structure& structure : model.structures) {
+    if (structure.reconstruction && !structure.reconstruction->deviations.empty()) {
+      deviating.push_back(structure.id + " (" + joined(structure.reconstruction->deviations) + ")");
+    }
+  }
+  if (!deviating.empty() && !options.acceptDeviations) {
+    throw PlanningError("Structures deviate from their voxels: " + joined(deviating) +
+                        "; look at them and accept them with --accept-deviations, or reconstruct them with other parameters.");
+  }
+}
+
+PackageMesh part(const std::string& id, const std::string& role, int resection, Rgb colour, bool closed, SurfaceMesh mesh) {
+  PackageMesh result;
+  result.named = {id, nameFromId(id), colour, 1.0, std::move(mesh)};
+  result.role = role;
+  result.closed = closed;
+  result.resection = resection;
+  return result;
+}
+
+/// The triangles of a resected part that lie on one of the resection's planes, turned to face the resected side.
+void addFacesOnPlanes(const SurfaceMesh& resected, const std::vector<HalfSpace>& planes, SurfaceMesh& surface) {
+  const double onPlaneMm = kOnPlaneSpacings * floatSpacingMm(resected);
+  for (const Triangle& t : resected.triangles) {
+    const bool onPlane = std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
+      return std::all_of(t.begin(), t.end(), [&](std::uint32_t corner) {
+        return std::abs(plane.normal.dot(resected.vertices[corner] - plane.origin)) <= onPlaneMm;
+      });
+    });
+    if (onPlane) {
+      const auto n = static_cast<std::uint32_t>(surface.vertices.size());
+      for (const std::uint32_t corner : {t[0], t[2], t[1]}) {
+        surface.vertices.push_back(resected.vertices[corner]);
+      }
+      surface.triangles.push_back({n, n + 1, n + 2});
+    }
+  }
+}
+
+struct Pieces {
+  std::vector<SurfaceMesh> inside;
+  std::vector<SurfaceMesh> outside;
+  SurfaceMesh surface;
+};
+
+CutResult cutPiece(const SurfaceMesh& piece, const HalfSpace& plane, const ExecutionContext& context) {
+  try {
+    return cutForFloats(piece, plane, context);
+  } catch (const ReconstructionError& error) {
+    throw PlanningError(error.what());
+  }
+}
+
+/// Each closed piece cut by each plane in turn: inside is what lies within all half-spaces.
+Pieces cutByAll(const std::vector<SurfaceMesh>& pieces, const std::vector<HalfSpace>& planes, const ExecutionContext& context) {
+  Pieces result;
+  for (const SurfaceMesh& piece : pieces) {
+    SurfaceMesh inside = piece;
+    for (const HalfSpace& plane : planes) {
+      if (inside.empty()) {
+        break;
+      }
+      CutResult halves = cutPiece(inside, plane, context);
+      if (!halves.negative.empty()) {
+        result.outside.push_back(std::move(halves.negative));
+      }
+      inside = std::move(halves.positive);
+      // One plane through one piece: the cut as it was made, capped once.
+      if (planes.size() == 1 && pieces.size() == 1) {
+        result.surface = std::move(halves.section);
+      }
+    }
+    if (!inside.empty()) {
+      result.inside.push_back(std::move(inside));
+    }
+  }
+  if (result.surface.empty()) {
+    for (const SurfaceMesh& piece : result.inside) {
+      addFacesOnPlanes(piece, planes, result.surface);
+    }
+  }
+  return result;
+}
+
+void addPieces(std::vector<PackageMesh>& meshes, const std::string& id, const std::string& role, int resection, Rgb colour,
+               std::vector<SurfaceMesh>&& pieces) {
+  const bool several = pieces.size() > 1;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    meshes.push_back(part(several ? numbered(id, i + 1) : id, role, resection, colour, true, std::move(pieces[i])));
+  }
+}
+
+double volumeOf(const std::vector<SurfaceMesh>& pieces) {
+  double sum = 0;
+  for (const SurfaceMesh& piece : pieces) {
+    sum += signedVolumeMm3(piece);
+  }
+  return sum;
+}
+
+void addPlannedParts(const Structure& parenchyma, const ResectionPlan& plan, const ExecutionContext& context,
+                     std::vector<PackageMesh>& meshes) {
+  // Cut as the file holds it: a sliver beside the cut that a later rounding turned over would be a self-intersection.
+  std::vector<SurfaceMesh> remnant{roundedToFloat(parenchyma.reconstruction->mesh)};
+  splitFans(remnant.front());
+  const double whole = volumeOf(remnant);
+  const double moved = kMovedSpacings * floatSpacingMm(remnant.front()) * areaMm2(remnant.front());
+  std::size_t cuts = 0;
+  double resectedVolume = 0;
+  std::vector<PackageMesh> parts;
+  for (std::size_t r = 0; r < plan.resections.size(); ++r) {
+    const std::vector<HalfSpace>& planes = plan.resections[r].planes;
+    Pieces pieces = planes.empty() ? Pieces{} : cutByAll(remnant, planes, context);
+    if (pieces.inside.empty() || pieces.outside.empty() || pieces.surface.empty()) {
+      throw PlanningError("Resection " + std::to_string(r + 1) +
+                          " of the plan does not divide the liver, so there is no resected part: move its plane into the liver or "
+                          "remove the resection, then export again.");
+    }
+    resectedVolume += volumeOf(pieces.inside);
+    const int number = static_cast<int>(r);
+    addPieces(parts, numbered("resected", r + 1), "resected", number, kResectedColour, std::move(pieces.inside));
+    parts.push_back(
+        part(numbered("resection_surface", r + 1), "resection surface", number, kSurfaceColour, false, std::move(pieces.surface)));
+    remnant = std::move(pieces.outside);
+    cuts += planes.size();
+  }
+  // Each cut has conserved the volume of the mesh it moved; the moves together are no more than this.
+  if (!(std::abs(resectedVolume + volumeOf(remnant) - whole) <= static_cast<double>(cuts) * moved)) {
+    throw PlanningError("The resected parts and the remnant do not add up to the liver: move the plane a little and export again.");
+  }
+  addPieces(meshes, "remnant", "remnant", -1, parenchyma.colour, std::move(remnant));
+  std::move(parts.begin(), parts.end(), std::back_inserter(meshes));
+}
+
+bool isWordCharacter(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80U; }
+
+/// Lower-case words of a text; a DICOM name "Doe^Jane" has two.
+std::vector<std::string> wordsOf(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : toLower(text)) {
+    if (isWordCharacter(c)) {
+      words.back() += c;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) {
+    words.pop_back();
+  }
+  return words;
+}
+
+}  // namespace
+
+std::vector<PackageMesh> packageMeshes(const Case& source, const ResectionPlan& plan, const ExportOptions& options,
+                                       const ExecutionContext& context) {
+  const Structure* parenchyma = source.model ? source.model->find("parenchyma") : nullptr;
+  if (parenchyma == nullptr) {
+    throw PlanningError("The model has no parenchyma, so there is nothing to export: build the model first.");
+  }
+  requireAccepted(*source.model, options);
+  std::vector<PackageMesh> meshes;
+  const std::vector<Structure>& structures = source.model->structures;
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    const double count = static_cast<double>(structures.size());
+    requireSound(structures[i], context.range(static_cast<double>(i) / count * 0.8, static_cast<double>(i + 1) / count * 0.8));
+    PackageMesh mesh = part(structures[i].id, "structure", -1, structures[i].colour, true, structures[i].reconstruction->mesh);
+    mesh.named.opacity = structures[i].opacity;
+    meshes.push_back(std::move(mesh));
+    context.throwIfCancelled();
+  }
+  if (!plan.resections.empty()) {
+    addPlannedParts(*parenchyma, plan, context.range(0.8, 1.0), meshes);
+  }
+  return meshes;
+}
+
+std::string pseudonymous(const std::string& text, const std::string& fallback, const Case& source) {
+  const std::vector<std::string> words = wordsOf(text);
+  const std::string lower = toLower(text);
+  std::vector<std::string> secrets = wordsOf(source.identity.patientName);
+  std::vector<std::string> whole{source.identity.patientId, source.identity.birthDate, source.identity.studyDate,
+                                 source.identity.seriesDescription};
+  if (source.segmentation) {
+    whole.push_back(source.segmentation->patientId);
+  }
+  for (const std::string& secret : whole) {
+    secrets.push_back(toLower(secret));
+  }
+  constexpr std::size_t kTellingLength = 3;  // shorter parts of a name are found only as whole words
+  for (const std::string& secret : secrets) {
+    if (secret.empty()) {
+      continue;
+    }
+    const bool asWord = std::find(words.begin(), words.end(), secret) != words.end();
+    if (asWord || (secret.size() >= kTellingLength && lower.find(secret) != std::string::npos)) {
+      return fallback;
+    }
+  }
+  return text;
+}
+
+}  // namespace glisson

@@ -1,0 +1,51 @@
+#pragma once
+// Purpose: the .glisson case file: one SQLite database (design.md 3.5). synchronous=FULL, rollback journal, one transaction per
+// edit, one writer (a second opener reads only). Versioned; a newer version is refused with a sentence.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "planning/case/case.h"
+
+namespace glisson {
+
+/// The undo record of one edit.
+struct PlanStep {
+  std::vector<ResectionPlan> before;
+  std::vector<ResectionPlan> after;
+};
+
+class CaseFile {
+ public:
+  /// Creates a new file holding `source` (masks and meshes compressed, the CT by path and SHA-256). Written beside and renamed: an
+  /// existing file is replaced only by a complete one, and not while somebody edits it. Throws InputError.
+  static CaseFile create(const std::filesystem::path& path, const Case& source);
+  /// Opens for reading and, where no other process writes, for writing. Throws InputError: not a case, newer version, damaged.
+  static CaseFile open(const std::filesystem::path& path);
+  ~CaseFile();
+  CaseFile(CaseFile&&) noexcept;
+  CaseFile& operator=(CaseFile&&) noexcept;
+
+  /// The whole case. The CT is not read (its path is in ctSource); `ct` is null.
+  [[nodiscard]] Case load() const;
+  /// Replaces the plans in one committed transaction, together with its undo record; equal plans are no edit. Throws InputError
+  /// where the file is read-only or the disk is full, PlanningError where a plane is not finite; the file then holds what it held.
+  void storePlans(const std::vector<ResectionPlan>& plans);
+  /// Replaces the model (structures, colours, meshes) in one committed transaction.
+  void storeModel(const LiverModel& model);
+  /// The undo records of the newest `atMost` edits, oldest first: also those made before the program was last closed.
+  [[nodiscard]] std::vector<PlanStep> history(std::size_t atMost = 100) const;
+  /// The files at ctSource are those the case was made from, by SHA-256. False where they are gone or other ones.
+  [[nodiscard]] bool ctUnchanged() const;
+  [[nodiscard]] bool readOnly() const;
+  [[nodiscard]] const std::filesystem::path& path() const;
+
+ private:
+  struct Impl;
+  explicit CaseFile(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson

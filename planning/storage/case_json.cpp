@@ -1,0 +1,229 @@
+#include "planning/storage/case_json.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "planning/case/parameters_json.h"
+
+namespace glisson::caseJson {
+
+namespace {
+Json fromVector(const Vec3& v) { return Json::array({v[0], v[1], v[2]}); }
+
+Vec3 toVector(const Json& json) {
+  if (!json.is_array() || json.size() != 3) {
+    throw std::runtime_error("a vector has no three numbers");
+  }
+  return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
+
+Json fromColour(const Rgb& c) { return Json::array({c.r, c.g, c.b}); }
+
+Rgb toColour(const Json& json) {
+  return {json.at(0).get<std::uint8_t>(), json.at(1).get<std::uint8_t>(), json.at(2).get<std::uint8_t>()};
+}
+
+StructureKind toKind(const Json& json) {
+  const auto kind = kindFromId(json.get<std::string>());
+  if (!kind) {
+    throw std::runtime_error("a structure has an unknown kind");
+  }
+  return *kind;
+}
+
+Json fromDefects(const MeshDefects& d) {
+  return Json::array({d.openEdges, d.orientationEdges, d.inward ? 1 : 0, d.nonManifoldEdges, d.nonManifoldVertices,
+                      d.degenerateTriangles, d.selfIntersections});
+}
+
+MeshDefects toDefects(const Json& json) {
+  MeshDefects d;
+  d.openEdges = json.at(0);
+  d.orientationEdges = json.at(1);
+  d.inward = json.at(2).get<int>() != 0;
+  d.nonManifoldEdges = json.at(3);
+  d.nonManifoldVertices = json.at(4);
+  d.degenerateTriangles = json.at(5);
+  d.selfIntersections = json.at(6);
+  return d;
+}
+
+Json fromReconstruction(const Reconstruction& r) {
+  Json json;
+  json["parameters"] = parametersJson(r.parameters);
+  json["usedDepth"] = r.usedDepth;
+  json["samples"] = r.samples;
+  json["defects"] = fromDefects(r.defects);
+  json["meshVolumeMl"] = std::isfinite(r.meshVolumeMl) ? Json(r.meshVolumeMl) : Json();
+  json["voxelVolumeMl"] = r.voxelVolumeMl;
+  json["maskComponents"] = r.maskComponents;
+  json["meshComponents"] = r.meshComponents;
+  json["centrelineInside"] = r.centrelineInside ? Json(*r.centrelineInside) : Json();
+  json["notes"] = r.notes;
+  json["deviations"] = r.deviations;
+  const Seconds& s = r.seconds;
+  json["seconds"] = Json::array({s.sample, s.solve, s.extract, s.smooth, s.decimate, s.check});
+  json["vertices"] = r.mesh.vertices.size();
+  json["triangles"] = r.mesh.triangles.size();
+  return json;
+}
+
+std::shared_ptr<Reconstruction> toReconstruction(const Json& json) {
+  auto r = std::make_shared<Reconstruction>();
+  r->parameters = parametersFromJson(json.at("parameters"));
+  r->usedDepth = json.at("usedDepth");
+  r->samples = json.at("samples");
+  r->defects = toDefects(json.at("defects"));
+  const Json& volume = json.at("meshVolumeMl");
+  r->meshVolumeMl = volume.is_null() ? std::numeric_limits<double>::quiet_NaN() : volume.get<double>();
+  r->voxelVolumeMl = json.at("voxelVolumeMl");
+  r->maskComponents = json.at("maskComponents");
+  r->meshComponents = json.at("meshComponents");
+  if (!json.at("centrelineInside").is_null()) {
+    r->centrelineInside = json.at("centrelineInside").get<double>();
+  }
+  r->notes = json.at("notes").get<std::vector<std::string>>();
+  r->deviations = json.at("deviations").get<std::vector<std::string>>();
+  const Json& s = json.at("seconds");
+  r->seconds = {s.at(0), s.at(1), s.at(2), s.at(3), s.at(4), s.at(5)};
+  return r;
+}
+}  // namespace
+
+Json fromPlans(const std::vector<ResectionPlan>& plans) {
+  Json json = Json::array();
+  for (const ResectionPlan& plan : plans) {
+    Json resections = Json::array();
+    for (const Resection& resection : plan.resections) {
+      Json planes = Json::array();
+      for (const HalfSpace& plane : resection.planes) {
+        planes.push_back({{"originMm", fromVector(plane.origin)}, {"normal", fromVector(plane.normal)}});
+      }
+      resections.push_back({{"name", resection.name}, {"planes", planes}});
+    }
+    json.push_back({{"name", plan.name}, {"safetyMarginMm", plan.safetyMarginMm}, {"resections", resections}});
+  }
+  return json;
+}
+
+std::vector<ResectionPlan> toPlans(const Json& json) {
+  std::vector<ResectionPlan> plans;
+  for (const Json& item : json) {
+    ResectionPlan plan;
+    plan.name = item.at("name");
+    plan.safetyMarginMm = item.at("safetyMarginMm");
+    for (const Json& cut : item.at("resections")) {
+      Resection resection;
+      resection.name = cut.at("name");
+      for (const Json& plane : cut.at("planes")) {
+        resection.planes.push_back({toVector(plane.at("originMm")), toVector(plane.at("normal"))});
+        const double length = resection.planes.back().normal.norm();
+        if (std::abs(length - 1) > 1e-6) {
+          throw std::runtime_error("a plane's normal is not of unit length");
+        }
+      }
+      plan.resections.push_back(std::move(resection));
+    }
+    plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+Json fromIdentity(const PatientIdentity& p) {
+  return {{"patientName", p.patientName}, {"patientId", p.patientId},      {"birthDate", p.birthDate},
+          {"studyDate", p.studyDate},     {"series", p.seriesDescription}, {"frameOfReferenceUid", p.frameOfReferenceUid}};
+}
+
+PatientIdentity toIdentity(const Json& json) {
+  return {json.at("patientName"), json.at("patientId"), json.at("birthDate"),
+          json.at("studyDate"),   json.at("series"),    json.at("frameOfReferenceUid")};
+}
+
+Json fromGeometry(const ImageGeometry& g) {
+  return {
+      {"size", g.size},
+      {"spacingMm", fromVector(g.spacing)},
+      {"originMm", fromVector(g.origin)},
+      {"direction", Json::array({fromVector(g.direction.col(0)), fromVector(g.direction.col(1)), fromVector(g.direction.col(2))})}};
+}
+
+ImageGeometry toGeometry(const Json& json) {
+  ImageGeometry g;
+  g.size = json.at("size").get<Index3>();
+  g.spacing = toVector(json.at("spacingMm"));
+  g.origin = toVector(json.at("originMm"));
+  for (int axis = 0; axis < 3; ++axis) {
+    g.direction.col(axis) = toVector(json.at("direction").at(static_cast<std::size_t>(axis)));
+  }
+  g.validate("The case");
+  return g;
+}
+
+Json fromBox(const IndexBox& box) { return {{"first", box.first}, {"size", box.size}}; }
+
+IndexBox toBox(const Json& json, const Index3& size) {
+  const IndexBox box{json.at("first").get<Index3>(), json.at("size").get<Index3>()};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (box.first[axis] < 0 || box.size[axis] < 0 || box.size[axis] > size[axis] || box.first[axis] > size[axis] - box.size[axis]) {
+      throw std::runtime_error("a mask lies outside its grid");
+    }
+  }
+  return box;
+}
+
+Json fromLabelled(const LabelledMask& structure) {
+  Json json;
+  json["name"] = structure.name;
+  json["label"] = structure.label;
+  json["kind"] = structure.kind ? Json(kindId(*structure.kind)) : Json();
+  json["colour"] = structure.colour ? fromColour(*structure.colour) : Json();
+  json["box"] = structure.mask ? fromBox(structure.mask->box()) : Json();
+  return json;
+}
+
+LabelledMask toLabelled(const Json& json) {
+  LabelledMask structure;
+  structure.name = json.at("name");
+  structure.label = json.at("label");
+  if (!json.at("kind").is_null()) {
+    structure.kind = toKind(json.at("kind"));
+  }
+  if (!json.at("colour").is_null()) {
+    structure.colour = toColour(json.at("colour"));
+  }
+  return structure;
+}
+
+Json fromStructure(const Structure& structure) {
+  Json json;
+  json["id"] = structure.id;
+  json["name"] = structure.name;
+  json["kind"] = kindId(structure.kind);
+  json["colour"] = fromColour(structure.colour);
+  json["opacity"] = structure.opacity;
+  json["visible"] = structure.visible;
+  json["sourceIndex"] = structure.sourceIndex;
+  json["reconstruction"] = structure.reconstruction ? fromReconstruction(*structure.reconstruction) : Json();
+  return json;
+}
+
+StoredStructure toStructure(const Json& json) {
+  StoredStructure stored;
+  stored.structure.id = json.at("id");
+  stored.structure.name = json.at("name");
+  stored.structure.kind = toKind(json.at("kind"));
+  stored.structure.colour = toColour(json.at("colour"));
+  stored.structure.opacity = json.at("opacity");
+  stored.structure.visible = json.at("visible");
+  stored.structure.sourceIndex = json.at("sourceIndex");
+  const Json& made = json.at("reconstruction");
+  if (!made.is_null()) {
+    stored.reconstruction = toReconstruction(made);
+    stored.vertices = made.at("vertices");
+    stored.triangles = made.at("triangles");
+  }
+  return stored;
+}
+
+}  // namespace glisson::caseJson

@@ -1,0 +1,41 @@
+#pragma once
+// Purpose: the parts of a case as JSON, for the case file. Private to storage/. Numbers come back as the same doubles.
+// The from-functions throw nlohmann::json::exception or std::runtime_error on what does not fit.
+
+#include <nlohmann/json.hpp>
+
+#include "planning/case/case.h"
+
+namespace glisson::caseJson {
+
+using Json = nlohmann::ordered_json;
+
+Json fromPlans(const std::vector<ResectionPlan>& plans);
+std::vector<ResectionPlan> toPlans(const Json& json);
+
+Json fromIdentity(const PatientIdentity& identity);
+PatientIdentity toIdentity(const Json& json);
+
+Json fromGeometry(const ImageGeometry& geometry);
+/// Validated.
+ImageGeometry toGeometry(const Json& json);
+
+Json fromBox(const IndexBox& box);
+/// Checked to lie in a grid of `size` voxels.
+IndexBox toBox(const Json& json, const Index3& size);
+
+/// Everything but the mask.
+Json fromLabelled(const LabelledMask& structure);
+LabelledMask toLabelled(const Json& json);
+
+/// Everything but the mesh, whose counts are in `vertices` and `triangles`.
+Json fromStructure(const Structure& structure);
+struct StoredStructure {
+  Structure structure;
+  std::shared_ptr<Reconstruction> reconstruction;  ///< null where not built; the mesh is still empty
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+};
+StoredStructure toStructure(const Json& json);
+
+}  // namespace glisson::caseJson

@@ -1,0 +1,270 @@
+#include "planning/storage/case_tables.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+
+#include "planning/storage/case_json.h"
+#include "planning/storage/packing.h"
+#include "reconstruction/errors.h"
+
+namespace glisson::caseTables {
+
+namespace {
+using caseJson::Json;
+
+std::int64_t crcOf(std::string_view text) {
+  return static_cast<std::int64_t>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
+}
+
+/// A text that is no UTF-8 (a name from a foreign file) must not make the case impossible to save.
+std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+[[noreturn]] void damaged(const Database& database, const std::string& what) {
+  throw InputError(database.path().string() + " is damaged (" + what + "); open an older copy of the case.");
+}
+
+void putDocument(const Database& database, const char* key, const std::string& text) {
+  Statement statement(database, "INSERT OR REPLACE INTO document(key, json, crc) VALUES(?, ?, ?)");
+  statement.bind(0, std::string_view(key)).bind(1, std::string_view(text)).bind(2, crcOf(text)).step();
+}
+
+std::string documentText(const Database& database, const char* key) {
+  Statement statement(database, "SELECT json, crc FROM document WHERE key = ?");
+  if (!statement.bind(0, std::string_view(key)).step()) {
+    damaged(database, std::string("its ") + key + " is missing");
+  }
+  std::string text = statement.text(0);
+  if (crcOf(text) != statement.number(1)) {
+    damaged(database, std::string("its ") + key + " does not match its checksum");
+  }
+  return text;
+}
+
+void putPart(const Database& database, const std::string& key, const Packed& packed) {
+  Statement statement(database, "INSERT OR REPLACE INTO part(key, data) VALUES(?, ?)");
+  statement.bind(0, std::string_view(key)).bind(1, std::span<const std::byte>(packed.data)).step();
+}
+
+template <typename Unpack>
+auto getPart(const Database& database, const std::string& key, Unpack&& unpack) {
+  Statement statement(database, "SELECT data FROM part WHERE key = ?");
+  if (!statement.bind(0, std::string_view(key)).step()) {
+    damaged(database, "its " + key + " is missing");
+  }
+  return unpack(statement.bytes(0));
+}
+
+Mask getMask(const Database& database, const std::string& key, const Json& box, const Index3& size) {
+  return getPart(database, key, [&](std::span<const std::byte> data) { return unpackMask(data, caseJson::toBox(box, size)); });
+}
+
+std::string maskKey(std::size_t index) { return "mask/" + std::to_string(index); }
+std::string meshKey(const std::string& id) { return "mesh/" + id; }
+
+void writeSegmentation(const Database& database, const Segmentation& segmentation) {
+  Json json;
+  json["geometry"] = caseJson::fromGeometry(segmentation.geometry);
+  json["source"] = segmentation.source;
+  json["patientId"] = segmentation.patientId;
+  json["frameOfReferenceUid"] = segmentation.frameOfReferenceUid;
+  json["notes"] = segmentation.notes;
+  json["structures"] = Json::array();
+  for (std::size_t n = 0; n < segmentation.structures.size(); ++n) {
+    json["structures"].push_back(caseJson::fromLabelled(segmentation.structures[n]));
+    if (segmentation.structures[n].mask) {
+      putPart(database, maskKey(n), packMask(*segmentation.structures[n].mask));
+    }
+  }
+  putDocument(database, "segmentation", textOf(json));
+}
+
+std::shared_ptr<const Segmentation> readSegmentation(const Database& database) {
+  const Json json = Json::parse(documentText(database, "segmentation"));
+  auto segmentation = std::make_shared<Segmentation>();
+  segmentation->geometry = caseJson::toGeometry(json.at("geometry"));
+  segmentation->source = json.at("source");
+  segmentation->patientId = json.at("patientId");
+  segmentation->frameOfReferenceUid = json.at("frameOfReferenceUid");
+  segmentation->notes = json.at("notes").get<std::vector<std::string>>();
+  for (const Json& item : json.at("structures")) {
+    LabelledMask structure = caseJson::toLabelled(item);
+    if (!item.at("box").is_null()) {
+      structure.mask = std::make_shared<const Mask>(
+          getMask(database, maskKey(segmentation->structures.size()), item.at("box"), segmentation->geometry.size));
+    }
+    segmentation->structures.push_back(std::move(structure));
+  }
+  return segmentation;
+}
+
+std::shared_ptr<const LiverModel> readModel(const Database& database, std::size_t masks, StoredMeshes& stored) {
+  const Json json = Json::parse(documentText(database, "model"));
+  auto model = std::make_shared<LiverModel>();
+  model->revision = json.at("revision");
+  for (const Json& item : json.at("structures")) {
+    caseJson::StoredStructure read = caseJson::toStructure(item);
+    if (read.structure.sourceIndex >= static_cast<std::int64_t>(masks)) {
+      throw std::runtime_error("a structure has no mask");
+    }
+    if (read.reconstruction) {
+      read.reconstruction->mesh = getPart(database, meshKey(read.structure.id), [&](std::span<const std::byte> data) {
+        return unpackMesh(data, read.vertices, read.triangles);
+      });
+      read.structure.reconstruction = read.reconstruction;
+      stored[read.structure.id] = read.reconstruction;
+    }
+    model->structures.push_back(std::move(read.structure));
+  }
+  return model;
+}
+
+/// The plans as text, proven to read back: a number that is not finite would spoil the file.
+std::string plansText(const std::vector<ResectionPlan>& plans) {
+  std::string text = textOf(caseJson::fromPlans(plans));
+  try {
+    (void)caseJson::toPlans(Json::parse(text));
+  } catch (const std::exception&) {
+    throw PlanningError(
+        "The plan holds a number that is not finite or a normal that is not of unit length; place the plane again.");
+  }
+  return text;
+}
+}  // namespace
+
+void createTables(const Database& database) {
+  database.execute(
+      "CREATE TABLE document(key TEXT PRIMARY KEY, json TEXT NOT NULL, crc INTEGER NOT NULL) STRICT;"
+      "CREATE TABLE part(key TEXT PRIMARY KEY, data BLOB NOT NULL) STRICT;"
+      "CREATE TABLE ct_file(name TEXT PRIMARY KEY, bytes INTEGER NOT NULL, sha256 TEXT NOT NULL) STRICT;"
+      "CREATE TABLE history(step INTEGER PRIMARY KEY, before TEXT NOT NULL, after TEXT NOT NULL) STRICT;");
+  database.execute(("PRAGMA application_id=" + std::to_string(kApplicationId)).c_str());
+  database.execute(("PRAGMA user_version=" + std::to_string(kVersion)).c_str());
+}
+
+void writeCase(const Database& database, const Case& source, StoredMeshes& stored) {
+  Json json;
+  json["code"] = source.code;
+  json["identity"] = caseJson::fromIdentity(source.identity);
+  json["ctSource"] = source.ctSource;
+  json["notes"] = source.notes;
+  json["liverBox"] = caseJson::fromBox(source.liver->liver.box());
+  json["tumourBox"] = caseJson::fromBox(source.liver->tumour.box());
+  json["liverNotes"] = source.liver->notes;
+  putDocument(database, "case", textOf(json));
+  putPart(database, "liver", packMask(source.liver->liver));
+  putPart(database, "tumour", packMask(source.liver->tumour));
+  writeSegmentation(database, *source.segmentation);
+  writeModel(database, source.model ? *source.model : LiverModel(), stored);
+  putDocument(database, "plans", plansText(source.plans));
+  if (!source.ctSource.empty()) {
+    for (const CtFileHash& file : hashCtFiles(source.ctSource)) {
+      Statement(database, "INSERT INTO ct_file(name, bytes, sha256) VALUES(?, ?, ?)")
+          .bind(0, std::string_view(file.name))
+          .bind(1, file.bytes)
+          .bind(2, std::string_view(file.sha256))
+          .step();
+    }
+  }
+}
+
+void writeModel(const Database& database, const LiverModel& model, StoredMeshes& stored) {
+  Json json;
+  json["revision"] = model.revision;
+  json["structures"] = Json::array();
+  StoredMeshes now;
+  for (const Structure& structure : model.structures) {
+    json["structures"].push_back(caseJson::fromStructure(structure));
+    if (!structure.reconstruction) {
+      continue;
+    }
+    now[structure.id] = structure.reconstruction;
+    const auto known = stored.find(structure.id);
+    if (known == stored.end() || known->second != structure.reconstruction) {
+      putPart(database, meshKey(structure.id), packMesh(structure.reconstruction->mesh));
+    }
+  }
+  for (const auto& [id, mesh] : stored) {
+    if (!now.contains(id)) {
+      Statement(database, "DELETE FROM part WHERE key = ?").bind(0, std::string_view(meshKey(id))).step();
+    }
+  }
+  putDocument(database, "model", textOf(json));
+  stored = std::move(now);
+}
+
+bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans) {
+  const std::string after = plansText(plans);
+  const std::string before = documentText(database, "plans");
+  if (before == after) {
+    return false;
+  }
+  putDocument(database, "plans", after);
+  Statement(database, "INSERT INTO history(before, after) VALUES(?, ?)")
+      .bind(0, std::string_view(before))
+      .bind(1, std::string_view(after))
+      .step();
+  return true;
+}
+
+Case readCase(const Database& database, StoredMeshes& stored) {
+  try {
+    Case read;
+    const Json json = Json::parse(documentText(database, "case"));
+    read.code = json.at("code");
+    read.identity = caseJson::toIdentity(json.at("identity"));
+    read.ctSource = json.at("ctSource");
+    read.notes = json.at("notes").get<std::vector<std::string>>();
+    read.segmentation = readSegmentation(database);
+    auto liver = std::make_shared<LiverVoxels>();
+    liver->geometry = read.segmentation->geometry;
+    liver->liver = getMask(database, "liver", json.at("liverBox"), liver->geometry.size);
+    liver->tumour = getMask(database, "tumour", json.at("tumourBox"), liver->geometry.size);
+    liver->functional = differenceOf(liver->liver, liver->tumour);
+    liver->notes = json.at("liverNotes").get<std::vector<std::string>>();
+    read.liver = std::move(liver);
+    read.model = readModel(database, read.segmentation->structures.size(), stored);
+    read.plans = caseJson::toPlans(Json::parse(documentText(database, "plans")));
+    return read;
+  } catch (const Json::exception&) {
+    damaged(database, "a document has not the form of version " + std::to_string(kVersion));
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    damaged(database, error.what());
+  }
+}
+
+std::string readCtSource(const Database& database) {
+  try {
+    return Json::parse(documentText(database, "case")).at("ctSource");
+  } catch (const Json::exception&) {
+    damaged(database, "its case has no CT source");
+  }
+}
+
+std::vector<CtFileHash> readCtFiles(const Database& database) {
+  std::vector<CtFileHash> files;
+  Statement statement(database, "SELECT name, bytes, sha256 FROM ct_file ORDER BY name");
+  while (statement.step()) {
+    files.push_back({statement.text(0), statement.number(1), statement.text(2)});
+  }
+  return files;
+}
+
+std::vector<PlanStep> readHistory(const Database& database, std::size_t atMost) {
+  std::vector<PlanStep> steps;
+  Statement statement(database, "SELECT before, after FROM history ORDER BY step DESC LIMIT ?");
+  statement.bind(0, static_cast<std::int64_t>(atMost));
+  try {
+    while (statement.step()) {
+      steps.push_back({caseJson::toPlans(Json::parse(statement.text(0))), caseJson::toPlans(Json::parse(statement.text(1)))});
+    }
+  } catch (const Json::exception&) {
+    damaged(database, "its history cannot be read");
+  }
+  std::reverse(steps.begin(), steps.end());
+  return steps;
+}
+
+}  // namespace glisson::caseTables

@@ -1,0 +1,35 @@
+#pragma once
+// Purpose: a case in the tables of its database, version 1. Private to storage/.
+//   document(key, json, crc)   'case', 'segmentation', 'model', 'plans'; crc is CRC-32 of the text
+//   part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h
+//   ct_file(name, bytes, sha256)
+//   history(step, before, after)   the plans before and after each edit
+
+#include <map>
+
+#include "planning/storage/case_file.h"
+#include "planning/storage/ct_files.h"
+#include "planning/storage/database.h"
+
+namespace glisson::caseTables {
+
+inline constexpr std::int64_t kApplicationId = 0x476C6973;  ///< "Glis"
+inline constexpr std::int64_t kVersion = 1;
+
+/// What the meshes in the file were written from, so that an unchanged mesh is not written again.
+using StoredMeshes = std::map<std::string, std::shared_ptr<const Reconstruction>>;
+
+/// None of these opens a transaction.
+void createTables(const Database& database);
+void writeCase(const Database& database, const Case& source, StoredMeshes& stored);
+void writeModel(const Database& database, const LiverModel& model, StoredMeshes& stored);
+/// Replaces the plans and appends the edit to the history; false where nothing changed.
+bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans);
+Case readCase(const Database& database, StoredMeshes& stored);
+std::string readCtSource(const Database& database);
+std::vector<CtFileHash> readCtFiles(const Database& database);
+
+/// The newest `atMost` edits, oldest first.
+std::vector<PlanStep> readHistory(const Database& database, std::size_t atMost);
+
+}  // namespace glisson::caseTables

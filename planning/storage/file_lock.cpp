@@ -1,0 +1,56 @@
+#include "planning/storage/file_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "reconstruction/errors.h"
+
+namespace glisson {
+
+FileLock::FileLock(const std::filesystem::path& path) {
+  descriptor_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  const bool writable = descriptor_ >= 0;
+  if (!writable) {
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  }
+  writer_ = writable && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+}
+
+FileLock::~FileLock() {
+  if (descriptor_ >= 0) {
+    ::close(descriptor_);
+  }
+}
+
+FileLock::FileLock(FileLock&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), writer_(std::exchange(other.writer_, false)) {}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(writer_, other.writer_);
+  return *this;
+}
+
+bool FileLock::holds(const std::filesystem::path& path) const {
+  struct stat opened {};
+  struct stat named {};
+  return descriptor_ >= 0 && ::fstat(descriptor_, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+void syncToDisk(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool done = descriptor >= 0 && ::fsync(descriptor) == 0;
+  if (descriptor >= 0) {
+    ::close(descriptor);
+  }
+  if (!done) {
+    throw InputError(path.string() + " cannot be written to the disk; check the disk and save under another name.");
+  }
+}
+
+}  // namespace glisson

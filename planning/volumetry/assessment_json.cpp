@@ -1,0 +1,59 @@
+#include <nlohmann/json.hpp>
+
+#include "planning/volumetry/assessment.h"
+
+namespace glisson {
+
+namespace {
+nlohmann::ordered_json orNull(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+std::string_view textOf(TumourState state) {
+  switch (state) {
+    case TumourState::Removed:
+      return "removed";
+    case TumourState::Cut:
+      return "cut";
+    case TumourState::Left:
+      break;
+  }
+  return "left";
+}
+}  // namespace
+
+std::string toJson(const PlanAssessment& assessment) {
+  using Json = nlohmann::ordered_json;
+  Json json;
+  json["totalMl"] = assessment.totalMl;
+  json["tumourMl"] = assessment.tumourMl;
+  json["functionalMl"] = assessment.functionalMl;
+  json["resectedMl"] = assessment.resectedMl;
+  json["remnantMl"] = assessment.remnantMl;
+  json["volumeUncertaintyMl"] = assessment.volumeUncertaintyMl;
+  json["functionalRemnantMl"] = assessment.functionalRemnantMl;
+  json["flrPercent"] = assessment.flrPercent;
+  json["resections"] = Json::array();
+  for (const ResectionVolume& resection : assessment.resections) {
+    json["resections"].push_back(
+        {{"name", resection.name}, {"volumeMl", resection.volumeMl}, {"cutAreaMm2", resection.cutAreaMm2}});
+  }
+  json["tumours"] = Json::array();
+  for (const TumourAssessment& tumour : assessment.tumours) {
+    json["tumours"].push_back({{"name", tumour.name},
+                               {"state", textOf(tumour.state)},
+                               {"marginMm", orNull(tumour.marginMm)},
+                               {"marginAtLeastMm", orNull(tumour.marginAtLeastMm)},
+                               {"distanceMm", orNull(tumour.distanceMm)}});
+  }
+  json["vesselsCrossed"] = Json::array();
+  for (const VesselCrossing& crossing : assessment.vesselsCrossed) {
+    const Vec3& p = crossing.positionMm;
+    json["vesselsCrossed"].push_back(
+        {{"name", crossing.name}, {"positionMm", {p[0], p[1], p[2]}}, {"diameterMm", crossing.diameterMm}});
+  }
+  // A name that is no UTF-8 must not cost the numbers.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace glisson

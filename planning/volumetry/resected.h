@@ -1,0 +1,40 @@
+#pragma once
+// Purpose: how much of a set of voxels a plan takes, and the surface it is cut along.
+// Volumes are counted in units of 2^-32 voxel, in integers, so that resected + remnant = total exactly, whatever the planes are.
+// One plane: closed form per run of voxels. Several planes: runs that only one plane cuts are taken as one box, the others are
+// halved down to single voxels, whose parts are convex bodies. Where resections overlap, the first one has the voxel's part.
+
+#include <cstdint>
+#include <vector>
+
+#include "planning/volumetry/convex.h"
+
+namespace glisson {
+
+inline constexpr double kUnitsPerVoxel = 4294967296.0;
+
+struct ImageResection {
+  std::vector<ImagePlane> planes;
+};
+/// The plan in the image frame. Resections without planes take nothing. Throws PlanningError where a plane is not finite.
+std::vector<ImageResection> toImage(const ResectionPlan& plan, const ImageGeometry& geometry);
+
+struct Resected {
+  std::vector<std::int64_t> units;  ///< per resection, without what an earlier one has
+  std::vector<double> cutAreaMm2;   ///< per resection: its planes' sections of the voxels, where they bound the resected region
+
+  [[nodiscard]] std::int64_t totalUnits() const;
+};
+Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
+
+/// A piece of the resection surface inside one run of voxels.
+struct CutPiece {
+  Polygon polygon;  ///< image frame, mm
+  std::size_t run = 0;
+  std::size_t resection = 0;
+  std::size_t plane = 0;
+};
+/// The resection surface inside the voxels: the boundary of the plan's region, piece by piece.
+std::vector<CutPiece> cutSurface(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
+
+}  // namespace glisson

@@ -1,0 +1,283 @@
+#include "planning/volumetry/tumour_margin.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace glisson {
+
+namespace {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void keepShorter(CutDistance::Way& best, const Vec3& from, const Vec3& to) {
+  const double mm = (to - from).norm();
+  if (mm < best.mm) {
+    best.mm = mm;
+    best.from = from;
+    best.to = to;
+  }
+}
+
+Vec3 nearestInBox(const Box& box, const Vec3& p) { return box.centre + (p - box.centre).cwiseMax(-box.half).cwiseMin(box.half); }
+
+Vec3 cornerOf(const Box& box, unsigned corner) {
+  return box.centre + Vec3((corner & 1U) != 0 ? box.half[0] : -box.half[0], (corner & 2U) != 0 ? box.half[1] : -box.half[1],
+                           (corner & 4U) != 0 ? box.half[2] : -box.half[2]);
+}
+
+/// Closest points of segments p1 q1 (a box's edge) and p2 q2 (Ericson, Real-Time Collision Detection, 2005, 5.1.9).
+void keepSegments(CutDistance::Way& best, const Vec3& p1, const Vec3& q1, const Vec3& p2, const Vec3& q2) {
+  const Vec3 d1 = q1 - p1;
+  const Vec3 d2 = q2 - p2;
+  const Vec3 r = p1 - p2;
+  const double a = d1.squaredNorm();
+  const double e = d2.squaredNorm();
+  const double b = d1.dot(d2);
+  const double c = d1.dot(r);
+  const double f = d2.dot(r);
+  const double denominator = a * e - b * b;
+  double s = denominator > 1e-14 * a * e ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.0;
+  double t = e > 0 ? (b * s + f) / e : 0.0;
+  if (t < 0 || t > 1) {
+    t = std::clamp(t, 0.0, 1.0);
+    s = std::clamp((b * t - c) / a, 0.0, 1.0);
+  }
+  keepShorter(best, p1 + s * d1, p2 + t * d2);
+}
+
+/// The foot of a box's corner on the polygon, where it falls inside.
+void keepFoot(CutDistance::Way& best, const Vec3& corner, const Polygon& polygon, const Vec3& normal) {
+  const Vec3 foot = corner - normal.dot(corner - polygon[0]) * normal;
+  for (std::size_t n = 0; n < polygon.size(); ++n) {
+    const Vec3& a = polygon[n];
+    const Vec3& b = polygon[(n + 1) % polygon.size()];
+    if ((b - a).cross(foot - a).dot(normal) < 0) {
+      return;
+    }
+  }
+  keepShorter(best, corner, foot);
+}
+
+/// Unit normal; zero where the polygon has no area to speak of: its plane is then unknown and bounds nothing.
+Vec3 normalOf(const Polygon& polygon) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t n = 2; n < polygon.size(); ++n) {
+    sum += (polygon[n - 1] - polygon[0]).cross(polygon[n] - polygon[0]);
+  }
+  constexpr double kLeastMm2 = 1e-6;
+  return sum.norm() > kLeastMm2 ? Vec3(sum.normalized()) : Vec3(0, 0, 0);
+}
+
+bool cross(const Box& box, Polygon polygon) {
+  for (Eigen::Index axis = 0; axis < 3 && !polygon.empty(); ++axis) {
+    for (const double side : {1.0, -1.0}) {
+      polygon = clipped(polygon, {side * Vec3::Unit(axis), box.half[axis] - side * box.centre[axis]});
+    }
+  }
+  return !polygon.empty();
+}
+
+double gap(const Box& box, const Vec3& low, const Vec3& high) {
+  const Vec3 apart = (low - box.centre - box.half).cwiseMax(box.centre - box.half - high).cwiseMax(0.0);
+  return apart.norm();
+}
+}  // namespace
+
+CutDistance::Way shortestWay(const Box& box, const Polygon& polygon) {
+  CutDistance::Way best;
+  best.mm = kInfinity;
+  if (cross(box, polygon)) {
+    best.mm = 0;
+    best.from = best.to = nearestInBox(box, polygon[0]);
+    return best;
+  }
+  for (const Vec3& p : polygon) {
+    keepShorter(best, nearestInBox(box, p), p);
+  }
+  const Vec3 normal = normalOf(polygon);
+  if (!normal.isZero(0)) {
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      keepFoot(best, cornerOf(box, corner), polygon, normal);
+    }
+  }
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    for (unsigned axis = 1; axis < 8; axis *= 2) {
+      if ((corner & axis) != 0) {
+        continue;
+      }
+      for (std::size_t n = 0; n < polygon.size(); ++n) {
+        keepSegments(best, cornerOf(box, corner), cornerOf(box, corner | axis), polygon[n], polygon[(n + 1) % polygon.size()]);
+      }
+    }
+  }
+  return best;
+}
+
+CutDistance::CutDistance(std::vector<CutPiece> pieces) : pieces_(std::move(pieces)), order_(pieces_.size()) {
+  for (const CutPiece& piece : pieces_) {
+    Vec3 low = piece.polygon[0];
+    Vec3 high = low;
+    for (const Vec3& p : piece.polygon) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    const Vec3 normal = normalOf(piece.polygon);
+    planes_.push_back({normal, -normal.dot(piece.polygon[0])});
+    low_.push_back(low);
+    high_.push_back(high);
+  }
+  std::iota(order_.begin(), order_.end(), 0U);
+  if (!pieces_.empty()) {
+    build(0, static_cast<std::uint32_t>(pieces_.size()));
+  }
+}
+
+std::uint32_t CutDistance::build(std::uint32_t begin, std::uint32_t end) {
+  constexpr std::uint32_t kLeaf = 4;
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  Node node{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity), begin, end, 0};
+  for (std::uint32_t n = begin; n < end; ++n) {
+    node.low = node.low.cwiseMin(low_[order_[n]]);
+    node.high = node.high.cwiseMax(high_[order_[n]]);
+  }
+  nodes_.push_back(node);
+  if (end - begin > kLeaf) {
+    Eigen::Index axis = 0;
+    (node.high - node.low).maxCoeff(&axis);
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
+      const double ca = low_[a][axis] + high_[a][axis];
+      const double cb = low_[b][axis] + high_[b][axis];
+      return ca < cb || (ca == cb && a < b);
+    });
+    build(begin, middle);
+    const std::uint32_t right = build(middle, end);
+    nodes_[index].right = right;
+  }
+  return index;
+}
+
+void CutDistance::search(std::uint32_t index, const Box& box, Way& best) const {
+  const Node& node = nodes_[index];
+  if (node.right == 0) {
+    for (std::uint32_t n = node.begin; n < node.end; ++n) {
+      const std::uint32_t piece = order_[n];
+      // The distance to the piece's plane is the sharper bound where the box lies over it, the gap where it lies beside it.
+      const double toPlane = std::abs(planes_[piece].distance(box.centre)) - planes_[piece].support(box.half);
+      if (toPlane > best.mm + kOnPlaneMm || gap(box, low_[piece], high_[piece]) >= best.mm) {
+        continue;
+      }
+      Way way = shortestWay(box, pieces_[piece].polygon);
+      if (way.mm < best.mm) {
+        way.piece = piece;
+        best = way;
+      }
+    }
+    return;
+  }
+  const std::array<std::uint32_t, 2> children{index + 1, node.right};
+  const std::array<double, 2> gaps{gap(box, nodes_[children[0]].low, nodes_[children[0]].high),
+                                   gap(box, nodes_[children[1]].low, nodes_[children[1]].high)};
+  const std::size_t nearer = gaps[1] < gaps[0] ? 1 : 0;
+  for (const std::size_t child : {nearer, 1 - nearer}) {
+    if (gaps[child] < best.mm) {
+      search(children[child], box, best);
+    }
+  }
+}
+
+CutDistance::Way CutDistance::shortest(const VoxelRows& rows, const Vec3& spacing) const {
+  Way best;
+  best.mm = kInfinity;
+  if (pieces_.empty()) {
+    return best;
+  }
+  // A coarse pass first gives a bound that prunes nearly all of the second.
+  for (const std::size_t stride : {std::size_t{32}, std::size_t{1}}) {
+    for (std::size_t n = 0; n < rows.runs.size(); n += stride) {
+      const Box box = boxOf(rows.runs[n], spacing);
+      if (gap(box, nodes_[0].low, nodes_[0].high) < best.mm) {
+        search(0, box, best);
+      }
+    }
+  }
+  return best;
+}
+
+namespace {
+/// The nearest point of a convex region by its optimality conditions: some one, two or three planes are active, the step to it is a
+/// sum of their normals with positive weights, and it lies in all half-spaces. Infinity where the region is empty.
+void keepProjection(const Vec3& p, const std::vector<ImagePlane>& planes, double& best, Vec3& normal) {
+  const std::size_t count = planes.size();
+  const auto inside = [&](const Vec3& q) {
+    return std::all_of(planes.begin(), planes.end(), [&](const ImagePlane& plane) { return plane.distance(q) >= -kOnPlaneMm; });
+  };
+  if (inside(p)) {
+    best = 0;
+    return;
+  }
+  const auto tryActive = [&](const std::vector<std::size_t>& active) {
+    const auto size = static_cast<Eigen::Index>(active.size());
+    Eigen::MatrixXd normals(3, size);
+    Eigen::VectorXd missing(size);
+    for (Eigen::Index n = 0; n < size; ++n) {
+      normals.col(n) = planes[active[static_cast<std::size_t>(n)]].normal;
+      missing[n] = -planes[active[static_cast<std::size_t>(n)]].distance(p);
+    }
+    const Eigen::FullPivLU<Eigen::MatrixXd> gram(normals.transpose() * normals);
+    if (!gram.isInvertible()) {
+      return;
+    }
+    const Eigen::VectorXd weights = gram.solve(missing);
+    const Vec3 step = normals * weights;
+    if (weights.minCoeff() >= 0 && step.norm() < best && inside(p + step)) {
+      best = step.norm();
+      normal = step / best;
+    }
+  };
+  for (std::size_t a = 0; a < count; ++a) {
+    tryActive({a});
+    for (std::size_t b = a + 1; b < count; ++b) {
+      tryActive({a, b});
+      for (std::size_t c = b + 1; c < count; ++c) {
+        tryActive({a, b, c});
+      }
+    }
+  }
+}
+}  // namespace
+
+double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal) {
+  double greatest = 0;
+  normal = Vec3::UnitZ();
+  for (const VoxelRun& run : rows.runs) {
+    const Box box = boxOf(run, spacing);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const Vec3 p = cornerOf(box, corner);
+      double depth = kInfinity;
+      Vec3 along = Vec3::UnitZ();
+      for (const ImageResection& resection : plan) {
+        if (resection.planes.size() == 1) {
+          const double outside = std::max(0.0, -resection.planes[0].distance(p));
+          if (outside < depth) {
+            depth = outside;
+            along = resection.planes[0].normal;
+          }
+        } else if (!resection.planes.empty()) {
+          keepProjection(p, resection.planes, depth, along);
+        }
+      }
+      if (std::isfinite(depth) && depth > greatest) {
+        greatest = depth;
+        normal = along;
+      }
+    }
+  }
+  return greatest;
+}
+
+double resolutionMm(const Vec3& direction, const Vec3& spacing) { return 0.5 * direction.cwiseAbs().dot(spacing); }
+
+}  // namespace glisson

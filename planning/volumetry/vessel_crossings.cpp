@@ -1,0 +1,148 @@
+#include "planning/volumetry/vessel_crossings.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+namespace glisson {
+
+namespace {
+struct Span {
+  double low = 0;
+  double high = 0;
+};
+
+Span spanOf(const Polygon& polygon) {
+  Span span{polygon[0][0], polygon[0][0]};
+  for (const Vec3& p : polygon) {
+    span.low = std::min(span.low, p[0]);
+    span.high = std::max(span.high, p[0]);
+  }
+  return span;
+}
+
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t of(std::size_t n) {
+    while (parent_[n] != n) {
+      n = parent_[n] = parent_[parent_[n]];
+    }
+    return n;
+  }
+  void join(std::size_t a, std::size_t b) {
+    a = of(a);
+    b = of(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Joins pieces of neighbouring rows whose extents along i come closer than half a voxel: vessels one voxel apart stay two.
+Groups connect(const std::vector<CutPiece>& pieces, const VoxelRows& rows, double spacing) {
+  Groups groups(pieces.size());
+  std::map<std::pair<int, int>, std::vector<std::size_t>> byRow;
+  std::vector<Span> spans;
+  for (std::size_t n = 0; n < pieces.size(); ++n) {
+    const VoxelRun& run = rows.runs[pieces[n].run];
+    byRow[{run.k, run.j}].push_back(n);
+    spans.push_back(spanOf(pieces[n].polygon));
+  }
+  for (const auto& [row, members] : byRow) {
+    for (int dk = 0; dk <= 1; ++dk) {
+      for (int dj = dk == 0 ? 0 : -1; dj <= 1; ++dj) {
+        const auto other = byRow.find({row.first + dk, row.second + dj});
+        if (other == byRow.end()) {
+          continue;
+        }
+        for (const std::size_t a : members) {
+          for (const std::size_t b : other->second) {
+            if (spans[a].low < spans[b].high + 0.5 * spacing && spans[b].low < spans[a].high + 0.5 * spacing) {
+              groups.join(a, b);
+            }
+          }
+        }
+      }
+    }
+  }
+  return groups;
+}
+
+/// |cos| between `normal` and the vessel's main axis within `radius` of `centre`; 1 where there is no clear axis.
+double obliquity(const VoxelRows& rows, const Vec3& spacing, const Vec3& centre, double radius, const Vec3& normal) {
+  Vec3 sum = Vec3::Zero();
+  Mat3 squares = Mat3::Zero();
+  double count = 0;
+  for (const VoxelRun& run : rows.runs) {
+    const double y = run.j * spacing[1] - centre[1];
+    const double z = run.k * spacing[2] - centre[2];
+    if (y * y + z * z > radius * radius) {
+      continue;
+    }
+    for (int i = run.i; i < run.i + run.n; ++i) {
+      const Vec3 p(i * spacing[0] - centre[0], y, z);
+      if (p.squaredNorm() <= radius * radius) {
+        sum += p;
+        squares += p * p.transpose();
+        count += 1;
+      }
+    }
+  }
+  constexpr double kFewest = 8;
+  if (count < kFewest) {
+    return 1;
+  }
+  const Mat3 covariance = squares / count - (sum / count) * (sum / count).transpose();
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(covariance);
+  constexpr double kClear = 2;
+  if (!(axes.eigenvalues()[2] > kClear * axes.eigenvalues()[1])) {
+    return 1;
+  }
+  return std::abs(axes.eigenvectors().col(2).dot(normal));
+}
+
+struct Crossing {
+  double area = 0;
+  Vec3 moment = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();
+};
+
+double diameterOf(double area) { return 2 * std::sqrt(area / std::numbers::pi); }
+}  // namespace
+
+std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::string& name, const VoxelRows& rows,
+                                            const ImageGeometry& geometry, const std::vector<ImageResection>& plan) {
+  const Vec3& spacing = geometry.spacing;
+  const std::vector<CutPiece> pieces = cutSurface(rows, spacing, plan);
+  Groups groups = connect(pieces, rows, spacing[0]);
+  std::map<std::size_t, Crossing> found;
+  for (std::size_t n = 0; n < pieces.size(); ++n) {
+    const Polygon& polygon = pieces[n].polygon;
+    const double area = areaOf(polygon);
+    const Vec3 middle = std::accumulate(polygon.begin(), polygon.end(), Vec3(0, 0, 0)) / static_cast<double>(polygon.size());
+    Crossing& crossing = found[groups.of(n)];
+    crossing.area += area;
+    crossing.moment += area * middle;
+    crossing.normal += area * plan[pieces[n].resection].planes[pieces[n].plane].normal;
+  }
+  std::vector<VesselCrossing> crossings;
+  for (const auto& [first, crossing] : found) {
+    if (!(crossing.area > 0)) {
+      continue;
+    }
+    const Vec3 centre = crossing.moment / crossing.area;
+    const double radius = std::max(1.5 * diameterOf(crossing.area), 3 * spacing.maxCoeff());
+    const double cosine = obliquity(rows, spacing, centre, radius, crossing.normal.normalized());
+    crossings.push_back({id, name, geometry.origin + geometry.direction * centre, diameterOf(crossing.area * cosine)});
+  }
+  std::stable_sort(crossings.begin(), crossings.end(),
+                   [](const VesselCrossing& a, const VesselCrossing& b) { return a.diameterMm > b.diameterMm; });
+  return crossings;
+}
+
+}  // namespace glisson

@@ -1,0 +1,94 @@
+#include "reconstruction/parallel.h"
+
+#include <algorithm>
+
+#ifdef GLISSON_STD_THREADS
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+#else
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#endif
+
+namespace glisson {
+
+#ifdef GLISSON_STD_THREADS
+
+namespace {
+std::atomic<int>& threadLimit() {
+  static std::atomic<int> limit{0};
+  return limit;
+}
+}  // namespace
+
+struct ThreadLimit::Impl {
+  int before;
+};
+
+ThreadLimit::ThreadLimit(int threads) : impl_(new Impl{threadLimit().exchange(threads)}) {}
+
+ThreadLimit::~ThreadLimit() {
+  threadLimit().store(impl_->before);
+  delete impl_;
+}
+
+void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
+  grain = std::max<std::size_t>(grain, 1);
+  const std::size_t pieces = (count + grain - 1) / grain;
+  const int limit = threadLimit().load();
+  const std::size_t wanted = limit > 0 ? static_cast<std::size_t>(limit) : std::max(1U, std::thread::hardware_concurrency());
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t piece = next++; piece < pieces; piece = next++) {
+      try {
+        body(piece * grain, std::min(count, (piece + 1) * grain));
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) {
+          failure = std::current_exception();
+        }
+        next.store(pieces);
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (std::size_t i = 1; i < std::min(wanted, pieces); ++i) {
+    threads.emplace_back(work);
+  }
+  work();
+  for (auto& thread : threads) {
+    thread.join();
+  }
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
+}
+
+#else
+
+struct ThreadLimit::Impl {
+  tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(int threads)
+    : impl_(threads > 0
+                ? new Impl{tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads))}
+                : nullptr) {}
+
+ThreadLimit::~ThreadLimit() { delete impl_; }
+
+void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count, std::max<std::size_t>(grain, 1)),
+      [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); }, tbb::simple_partitioner());
+}
+
+#endif
+
+}  // namespace glisson

@@ -1,0 +1,39 @@
+#pragma once
+// Purpose: boundary samples as density fields on a grid: V = -sum over samples of weight * normal * phi(node) / h^3 (grad X points
+// inward), and the reverse, a field's value at each sample. Positions are in cells of the finest level, in [0, 2^depth].
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "reconstruction/execution_context.h"
+#include "reconstruction/poisson/block_grid.h"
+#include "reconstruction/poisson/poisson.h"
+
+namespace glisson::poisson {
+
+/// Samples in cube coordinates, sorted by the Morton order of their finest block, so that every block of every level owns one
+/// range.
+struct CubeSamples {
+  int depth = 0;
+  std::vector<std::array<float, 3>> positions;  ///< cells of level `depth`
+  std::vector<std::array<float, 3>> normals;
+  std::vector<float> weights;       ///< area, mm^2
+  std::vector<std::uint32_t> keys;  ///< Morton code of the block of level `depth`, ascending
+
+  /// First sample of each run of equal blocks on `level`, and the end.
+  [[nodiscard]] std::vector<std::size_t> blockRanges(int level) const;
+  [[nodiscard]] Coord blockOf(std::size_t sample, int level) const;
+};
+
+/// Maps samples into the cube (low corner mm, cell of the finest level mm) and sorts them.
+CubeSamples toCube(const OrientedPoints& points, const Vec3& corner, double cellMm, int depth);
+
+/// Adds weight * normal[component] (component 3: weight 1, for densities) * factor * phi to the field. Same sums for any number of
+/// threads.
+void splat(const CubeSamples& samples, const BlockGrid& grid, int component, float factor, Field& field,
+           const ExecutionContext& context);
+/// The field's value at every sample.
+std::vector<float> valuesAt(const CubeSamples& samples, const BlockGrid& grid, const Field& field, const ExecutionContext& context);
+
+}  // namespace glisson::poisson

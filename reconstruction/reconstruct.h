@@ -1,0 +1,58 @@
+#pragma once
+// Purpose: one structure from mask to checked mesh: the call behind `glisson-cli reconstruct`, `model` and the window's jobs.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reconstruction/execution_context.h"
+#include "reconstruction/image/structure_kind.h"
+#include "reconstruction/mcsd/mcsd.h"
+#include "reconstruction/poisson/poisson.h"
+
+namespace glisson {
+
+enum class Method : std::uint8_t { Psr, Mcsd };
+
+struct ReconstructionParameters {
+  Method method = Method::Psr;
+  PoissonParameters psr;
+  McsdParameters mcsd;
+
+  void validate() const;
+  /// "PSR d=7 unbiased" or "MCSD sinc 10 decimation 25 %": for lists and reports.
+  [[nodiscard]] std::string describe() const;
+  /// Parenchyma by PSR d=7 unbiased, the others by MCSD sinc s=10 e=0.25.
+  static ReconstructionParameters defaultsFor(StructureKind kind);
+};
+
+struct Seconds {
+  double sample = 0, solve = 0, extract = 0, smooth = 0, decimate = 0, check = 0;
+  [[nodiscard]] double total() const { return sample + solve + extract + smooth + decimate + check; }
+};
+
+struct Reconstruction {
+  SurfaceMesh mesh;
+  ReconstructionParameters parameters;
+  int usedDepth = 0;        ///< PSR only
+  std::size_t samples = 0;  ///< PSR only
+  MeshDefects defects;
+  double meshVolumeMl = 0;  ///< NaN where the mesh is open
+  double voxelVolumeMl = 0;
+  std::size_t maskComponents = 0;          ///< 26-connected components of the mask
+  std::size_t meshComponents = 0;          ///< pieces that enclose volume (walls of cavities apart)
+  std::optional<double> centrelineInside;  ///< vessels: share of the mask's centreline inside the mesh, 0..1
+  std::vector<std::string> notes;       ///< components or cavities lost, Euler number, border contact, depth used, thin structure
+  std::vector<std::string> deviations;  ///< volume or component deviations beyond the limits of method.md 3: export asks first
+  Seconds seconds;
+
+  [[nodiscard]] double volumeDeviation() const;  ///< mesh / voxels - 1
+};
+
+/// Reconstructs and checks (representation.h). MCSD meshes are freed of the few self-intersections that smoothing leaves behind
+/// decimation (mesh/untangle.h, with a note); reconstructMcsd() alone is the untouched filter chain. `kind` decides the limits of
+/// method.md 3 and whether the centreline is looked at. Throws ReconstructionError (empty mask), UsageError, Cancelled.
+Reconstruction reconstruct(const Mask& mask, const ImageGeometry& geometry, StructureKind kind,
+                           const ReconstructionParameters& parameters, const ExecutionContext& context = {});
+
+}  // namespace glisson

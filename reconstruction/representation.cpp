@@ -1,0 +1,225 @@
+#include "reconstruction/representation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reconstruction/image/liver_voxels.h"
+#include "reconstruction/mesh/centreline.h"
+#include "reconstruction/mesh/inside_rows.h"
+#include "reconstruction/mesh/mask_pieces.h"
+#include "reconstruction/mesh/union_find.h"
+#include "reconstruction/text.h"
+
+namespace glisson {
+
+namespace {
+/// The volume deviation method.md 3 allows a structure of this kind, as a share of its voxel volume.
+double allowedVolumeDeviation(StructureKind kind, double voxelVolumeMl) {
+  constexpr double kTumourFloorMl = 0.05;
+  if (kind == StructureKind::Liver) {
+    return 0.002;
+  }
+  return isLesion(kind) ? std::max(0.02, kTumourFloorMl / voxelVolumeMl) : 0.03;
+}
+
+std::string signedPercent(double share) {
+  const double percent = 100.0 * share;
+  const int decimals = std::abs(percent) < 1.0 ? 2 : 1;
+  return (percent < 0 ? "-" : "+") + formatNumber(std::abs(percent), decimals) + " %";
+}
+
+std::string counted(std::size_t n, const char* one, const char* many) { return std::to_string(n) + " " + (n == 1 ? one : many); }
+
+/// "120, 7 and 1 voxels": the greatest few.
+std::string voxelList(std::vector<std::size_t> voxels) {
+  constexpr std::size_t kShown = 5;
+  std::sort(voxels.rbegin(), voxels.rend());
+  std::string text;
+  for (std::size_t n = 0; n < std::min(voxels.size(), kShown); ++n) {
+    text += (n == 0 ? "" : ", ") + std::to_string(voxels[n]);
+  }
+  if (voxels.size() > kShown) {
+    text += ", ...";
+  }
+  return text + (voxels.size() == 1 && voxels[0] == 1 ? " voxel" : " voxels");
+}
+
+/// Pieces of the mesh that enclose volume; the walls of cavities enclose less than none.
+std::size_t outerPieces(const SurfaceMesh& mesh) {
+  UnionFind sets(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles) {
+    sets.unite(t[0], t[1]);
+    sets.unite(t[0], t[2]);
+  }
+  std::vector<double> volume(mesh.vertices.size(), 0.0);
+  const Vec3 centre = mesh.vertices.front();
+  for (const Triangle& t : mesh.triangles) {
+    const auto at = [&](std::size_t n) -> Vec3 { return mesh.vertices[t[n]] - centre; };
+    volume[sets.find(t[0])] += at(0).dot(at(1).cross(at(2)));
+  }
+  return static_cast<std::size_t>(std::count_if(volume.begin(), volume.end(), [](double v) { return v > 0; }));
+}
+
+/// V - E + F of a closed edge-manifold mesh, whose edges are three for two triangles.
+long long closedEuler(const SurfaceMesh& mesh) {
+  std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  return static_cast<long long>(std::count(used.begin(), used.end(), 1)) - static_cast<long long>(mesh.triangles.size()) / 2;
+}
+
+/// Voxels of each piece that lie inside the mesh.
+std::vector<std::size_t> insideOf(const Pieces& pieces, const InsideRows& rows) {
+  std::vector<std::size_t> inside(pieces.count(), 0);
+  for (const VoxelRun& run : pieces.runs) {
+    inside[run.piece] += static_cast<std::size_t>(rows.insideOf(run));
+  }
+  return inside;
+}
+
+void checkPieces(const Mask& mask, const Pieces& pieces, const InsideRows& rows, Reconstruction& made) {
+  const auto inside = insideOf(pieces, rows);
+  std::vector<std::size_t> lost;
+  for (std::size_t n = 0; n < pieces.count(); ++n) {
+    if (inside[n] == 0) {
+      lost.push_back(pieces.voxels[n]);
+    }
+  }
+  if (!lost.empty()) {
+    made.notes.push_back(counted(lost.size(), "piece", "pieces") + " of " + std::to_string(pieces.count()) +
+                         " lost: " + voxelList(lost));
+    std::erase_if(lost, [](std::size_t voxels) { return voxels < kPieceThatMatters; });
+    if (!lost.empty()) {
+      made.deviations.push_back(counted(lost.size(), "piece", "pieces") + " lost: " + voxelList(lost));
+    }
+  }
+  const std::size_t joinedByFaces = piecesOf(mask, Neighbours::Six).count();
+  if (made.meshComponents < pieces.count() || made.meshComponents > joinedByFaces) {
+    made.notes.push_back(counted(made.meshComponents, "piece", "pieces") + " in the mesh, " + std::to_string(pieces.count()) +
+                         " in the mask");
+  }
+}
+
+void checkCavities(const Mask& mask, const InsideRows& rows, Reconstruction& made) {
+  const Pieces cavities = cavitiesOf(mask, Neighbours::Six);
+  const auto inside = insideOf(cavities, rows);
+  std::vector<std::size_t> lost;
+  for (std::size_t n = 0; n < cavities.count(); ++n) {
+    if (inside[n] == cavities.voxels[n]) {
+      lost.push_back(cavities.voxels[n]);
+    }
+  }
+  if (!lost.empty()) {
+    made.notes.push_back(counted(lost.size(), "cavity", "cavities") + " of " + std::to_string(cavities.count()) +
+                         " not represented: " + voxelList(lost));
+  }
+}
+
+void checkEuler(const Mask& mask, Reconstruction& made) {
+  const long long ofMesh = closedEuler(made.mesh);
+  const EulerNumbers euler = eulerNumbers(mask);
+  const auto [least, most] = std::minmax({euler.facesEdgesCorners, euler.facesEdges, euler.faces, euler.facesAsCubes});
+  if (ofMesh < 2 * least || ofMesh > 2 * most) {
+    made.notes.push_back("Euler number " + std::to_string(ofMesh) + ", the mask's " + std::to_string(2 * least) +
+                         (least == most ? "" : " to " + std::to_string(2 * most)));
+  }
+}
+
+/// How many voxels on from a set voxel, both ways along an axis, are set; stops at `enough`.
+int extentAlong(const Mask& mask, Index3 at, std::size_t axis, int enough) {
+  int extent = 1;
+  for (const int step : {-1, 1}) {
+    Index3 other = at;
+    for (other[axis] += step; extent < enough && mask.at(other[0], other[1], other[2]); other[axis] += step) {
+      ++extent;
+    }
+  }
+  return extent;
+}
+
+/// Pieces that are nowhere as wide as `widthMm` along all three axes at once, looked for at the middle of every run.
+void noteThinPieces(const Mask& mask, const ImageGeometry& geometry, const Pieces& pieces, double cellMm, Reconstruction& made) {
+  const double widthMm = 3.0 * cellMm;
+  std::vector<std::uint8_t> wide(pieces.count(), 0);
+  const auto enough = [&](std::size_t axis) {
+    return static_cast<int>(std::ceil(widthMm / geometry.spacing[static_cast<Eigen::Index>(axis)]));
+  };
+  for (const VoxelRun& run : pieces.runs) {
+    if (wide[run.piece] != 0 || run.length() < enough(0)) {
+      continue;
+    }
+    const Index3 middle{(run.begin + run.end) / 2, run.j, run.k};
+    wide[run.piece] = extentAlong(mask, middle, 1, enough(1)) >= enough(1) && extentAlong(mask, middle, 2, enough(2)) >= enough(2);
+  }
+  std::vector<std::size_t> thin;
+  for (std::size_t n = 0; n < pieces.count(); ++n) {
+    if (wide[n] == 0) {
+      thin.push_back(pieces.voxels[n]);
+    }
+  }
+  if (!thin.empty()) {
+    made.notes.push_back(counted(thin.size(), "piece", "pieces") + " thinner than three cells (" + formatNumber(widthMm, 1) +
+                         " mm): " + voxelList(thin));
+  }
+}
+
+void checkCentreline(const Mask& mask, const InsideRows& rows, Reconstruction& made, const ExecutionContext& context) {
+  const auto line = centrelineOf(mask, context);
+  const auto inside = std::count_if(line.begin(), line.end(), [&](const Index3& v) { return rows.isInside(v[0], v[1], v[2]); });
+  made.centrelineInside = static_cast<double>(inside) / static_cast<double>(line.size());
+  if (*made.centrelineInside < kCentrelineShare) {
+    made.notes.push_back("only " + formatNumber(100.0 * *made.centrelineInside, 1) + " % of the centreline lies inside the mesh");
+  }
+}
+}  // namespace
+
+void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm, Reconstruction& made,
+                      const ExecutionContext& context) {
+  const std::size_t selfIntersections = made.defects.selfIntersections;
+  made.defects = made.mesh.defects();
+  made.defects.selfIntersections = selfIntersections;
+  made.voxelVolumeMl = static_cast<double>(mask.count()) * geometry.voxelVolumeMm3() * kMlPerMm3;
+  const Pieces pieces = piecesOf(mask, Neighbours::TwentySix);
+  made.maskComponents = pieces.count();
+  if (mask.touchesBorder(geometry.size)) {
+    made.notes.emplace_back("touches the border of the image and is cut off there");
+  }
+  const int asked = made.parameters.psr.depth;
+  if (made.parameters.method == Method::Psr && made.usedDepth < asked) {
+    made.notes.push_back("depth " + std::to_string(made.usedDepth) + " used instead of " + std::to_string(asked) +
+                         ": finer cells would be below half a voxel");
+  }
+  if (psrCellMm > 0) {
+    noteThinPieces(mask, geometry, pieces, psrCellMm, made);
+  }
+  const MeshDefects& defects = made.defects;
+  if (defects.noTriangles || defects.openEdges > 0 || defects.orientationEdges > 0 || defects.nonManifoldEdges > 0) {
+    // An open surface has no inside to compare; the defects say so.
+    made.meshVolumeMl = std::numeric_limits<double>::quiet_NaN();
+    if (!defects.noTriangles && defects.openEdges == 0 && defects.orientationEdges == 0) {
+      made.meshVolumeMl = signedVolumeMm3(made.mesh) * kMlPerMm3;
+    }
+    std::uint32_t count = 0;
+    componentOfTriangles(made.mesh, count);
+    made.meshComponents = count;
+  } else {
+    made.meshVolumeMl = signedVolumeMm3(made.mesh) * kMlPerMm3;
+    made.meshComponents = outerPieces(made.mesh);
+    context.throwIfCancelled();
+    const InsideRows rows(made.mesh, geometry);
+    checkPieces(mask, pieces, rows, made);
+    checkCavities(mask, rows, made);
+    checkEuler(mask, made);
+    if (isVessel(kind)) {
+      checkCentreline(mask, rows, made, context);
+    }
+  }
+  if (std::abs(made.volumeDeviation()) > allowedVolumeDeviation(kind, made.voxelVolumeMl)) {
+    made.deviations.push_back("volume " + signedPercent(made.volumeDeviation()) + " against the voxels");
+  }
+}
+
+}  // namespace glisson

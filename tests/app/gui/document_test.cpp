@@ -1,0 +1,190 @@
+// The document: every change is a named step, a drag is one step, every edit is on disk at once, clean means saved.
+
+#include "app/gui/document.h"
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+
+#include "app/jobs/inline_job_runner.h"
+#include "small_case.h"
+#include "wait.h"
+
+namespace glisson {
+namespace {
+
+using test::smallCase;
+using test::smallCentre;
+using test::waitFor;
+
+class DocumentTest : public testing::Test {
+ protected:
+  QTemporaryDir folder;
+  InlineJobRunner jobs;
+  std::unique_ptr<Document> document = std::make_unique<Document>(jobs, recovery());
+
+  [[nodiscard]] std::filesystem::path recovery() const { return folder.filePath("recovery").toStdString(); }
+  [[nodiscard]] std::filesystem::path named() const { return folder.filePath("case.glisson").toStdString(); }
+  void SetUp() override { document->open(smallCase()); }
+  [[nodiscard]] bool settle() {
+    return waitFor([this] { return jobs.idle() && document->freshness() == Freshness::All; });
+  }
+  static HalfSpace planeAt(double x) { return {smallCentre() + Vec3(x, 0, 0), Vec3::UnitX()}; }
+  [[nodiscard]] ResectionPlan planOnDisk(const std::filesystem::path& path) {
+    document->flush();
+    return CaseFile::open(path).load().plans.front();
+  }
+};
+
+TEST_F(DocumentTest, PlacingAPlaneIsOneNamedStepAndUndoTakesItBack) {
+  ASSERT_TRUE(settle());
+  EXPECT_NEAR(document->assessment().flrPercent, 100.0, 1e-9);
+  document->placePlane(planeAt(0));
+  ASSERT_TRUE(settle());
+  EXPECT_NEAR(document->assessment().resectedMl / document->assessment().totalMl, 0.5, 0.02);
+  EXPECT_EQ(document->undoStack().undoText(), "place plane");
+  document->undoStack().undo();
+  EXPECT_FALSE(document->plane().has_value());
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(document->assessment().resectedMl, 0.0);
+  document->undoStack().redo();
+  ASSERT_TRUE(document->plane().has_value());
+  EXPECT_EQ(document->plane()->origin, planeAt(0).origin);
+}
+
+TEST_F(DocumentTest, ADragOfManyMovesIsOneStep) {
+  document->placePlane(planeAt(0));
+  const int steps = document->undoStack().count();
+  document->beginDrag();
+  for (int i = 1; i <= 25; ++i) {
+    document->dragTo(planeAt(i));
+  }
+  document->endDrag(planeAt(25));
+  EXPECT_EQ(document->undoStack().count(), steps + 1);
+  EXPECT_EQ(document->plane()->origin, planeAt(25).origin);
+  document->undoStack().undo();
+  EXPECT_EQ(document->plane()->origin, planeAt(0).origin);
+}
+
+TEST_F(DocumentTest, AGraspThatMovesNothingIsNoStep) {
+  document->placePlane(planeAt(0));
+  const int steps = document->undoStack().count();
+  document->beginDrag();
+  document->endDrag(planeAt(0));
+  EXPECT_EQ(document->undoStack().count(), steps);
+}
+
+TEST_F(DocumentTest, WhileDraggingTheVolumesFollowAndTheMarginsAreMarkedOld_H5) {
+  document->placePlane(planeAt(0));
+  ASSERT_TRUE(settle());
+  const double before = document->assessment().resectedMl;
+  document->beginDrag();
+  document->dragTo(planeAt(18));
+  EXPECT_LT(document->assessment().resectedMl, before - 10);
+  EXPECT_EQ(document->freshness(), Freshness::Volumes);
+  EXPECT_EQ(document->assessment().resectedMl + document->assessment().remnantMl, document->assessment().totalMl);
+  document->endDrag(planeAt(18));
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(document->assessment().tumours.size(), 1U);
+  EXPECT_EQ(document->assessment().tumours[0].state, TumourState::Cut) << "the tumour is 8 mm about 20 mm";
+}
+
+TEST_F(DocumentTest, AnUnsavedEditIsInTheRecoveryFileAtOnce_H6) {
+  document->placePlane(planeAt(5));
+  EXPECT_TRUE(document->isRecovery());
+  EXPECT_FALSE(document->isClean());
+  const ResectionPlan stored = planOnDisk(document->path());
+  ASSERT_EQ(stored.resections.size(), 1U);
+  EXPECT_EQ(stored.resections[0].planes[0].origin, planeAt(5).origin);
+}
+
+TEST_F(DocumentTest, ASavedFileReopensWithTheSamePlanAndLooks) {
+  document->placePlane(planeAt(7));
+  document->setColour("tumour_01", {10, 20, 30});
+  document->setOpacity("parenchyma", 0.6);
+  document->saveAs(named());
+  ASSERT_TRUE(waitFor([this] { return document->isClean(); }));
+  EXPECT_FALSE(document->isRecovery());
+  document->flush();
+  const Case reopened = CaseFile::open(named()).load();
+  EXPECT_EQ(reopened.code, document->content().code);
+  ASSERT_EQ(reopened.plans.front().resections.size(), 1U);
+  EXPECT_EQ(reopened.plans.front().resections[0].planes[0].origin, planeAt(7).origin);
+  EXPECT_EQ(reopened.model->find("tumour_01")->colour, (Rgb{10, 20, 30}));
+  EXPECT_EQ(reopened.model->find("parenchyma")->opacity, 0.6);
+}
+
+TEST_F(DocumentTest, SavingUnderANameRemovesTheRecoveryFile) {
+  document->flush();
+  const std::filesystem::path recoveryFile = document->path();
+  EXPECT_TRUE(std::filesystem::exists(recoveryFile));
+  document->saveAs(named());
+  ASSERT_TRUE(waitFor([this] { return document->isClean(); }));
+  EXPECT_FALSE(std::filesystem::exists(recoveryFile));
+  EXPECT_TRUE(std::filesystem::exists(named()));
+}
+
+TEST_F(DocumentTest, CleanMeansSaved) {
+  document->placePlane(planeAt(0));
+  document->saveAs(named());
+  ASSERT_TRUE(waitFor([this] { return document->isClean(); }));
+  document->movePlane(planeAt(3));
+  EXPECT_FALSE(document->isClean());
+  document->undoStack().undo();
+  EXPECT_TRUE(document->isClean());
+  document->undoStack().redo();
+  document->save();
+  ASSERT_TRUE(waitFor([this] { return document->isClean(); }));
+  EXPECT_EQ(planOnDisk(named()).resections[0].planes[0].origin, planeAt(3).origin);
+}
+
+TEST_F(DocumentTest, ColourAndOpacityAreStepsASlideIsOneAndVisibilityIsNone) {
+  const Rgb before = document->content().model->find("portal_vein")->colour;
+  document->setColour("portal_vein", {1, 2, 3});
+  for (int i = 1; i <= 9; ++i) {
+    document->setOpacity("parenchyma", 0.1 * i);
+  }
+  document->setVisible("tumour_01", false);
+  EXPECT_EQ(document->undoStack().count(), 2);
+  EXPECT_FALSE(document->content().model->find("tumour_01")->visible);
+  document->undoStack().undo();
+  EXPECT_EQ(document->content().model->find("parenchyma")->opacity, 0.35);
+  document->undoStack().undo();
+  EXPECT_EQ(document->content().model->find("portal_vein")->colour, before);
+  EXPECT_FALSE(document->content().model->find("tumour_01")->visible) << "undo of colours does not touch what is shown";
+}
+
+TEST_F(DocumentTest, AReconstructionThatFinishesLateKeepsTheColourSetMeanwhile) {
+  const Case content = document->content();
+  const Structure built = buildStructure(content, *content.model->find("tumour_01"));
+  document->setColour("tumour_01", {9, 8, 7});
+  document->setReconstruction("tumour_01", built.reconstruction);
+  EXPECT_EQ(document->content().model->find("tumour_01")->colour, (Rgb{9, 8, 7}));
+  EXPECT_FALSE(document->content().model->find("tumour_01")->reconstruction->mesh.empty());
+}
+
+TEST_F(DocumentTest, ACaseThatWasOnlyLookedAtLeavesNothingBehindAndAnEditedOneStays_H6) {
+  document->flush();
+  const std::filesystem::path first = document->path();
+  document->open(smallCase());
+  document->flush();
+  EXPECT_FALSE(std::filesystem::exists(first));
+  const std::filesystem::path second = document->path();
+  document->placePlane(planeAt(0));
+  document.reset();
+  EXPECT_TRUE(std::filesystem::exists(second));
+}
+
+TEST_F(DocumentTest, AnAssessmentThatEndsDuringADragIsNotShownAsCurrent_H5) {
+  ASSERT_TRUE(settle());
+  document->placePlane(planeAt(0));  // its assessment is queued
+  document->beginDrag();
+  document->dragTo(planeAt(10));
+  ASSERT_TRUE(waitFor([this] { return jobs.idle(); }));
+  EXPECT_EQ(document->freshness(), Freshness::Volumes);
+  document->endDrag(planeAt(10));
+  EXPECT_TRUE(settle());
+}
+
+}  // namespace
+}  // namespace glisson

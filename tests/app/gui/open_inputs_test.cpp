@@ -1,0 +1,75 @@
+// Opening what a user points at: a patient's folder, a case, a case whose CT was replaced.
+#include "app/gui/open_inputs.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "planning/storage/case_file.h"
+#include "reconstruction/errors.h"
+#include "reconstruction/sample/sample_patient.h"
+
+namespace glisson {
+namespace {
+
+class OpenInputsTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::filesystem::temp_directory_path() / ("glisson_open_" + std::to_string(getpid()));
+    std::filesystem::remove_all(folder_);
+    writeSamplePatient(makeSamplePatient(false), folder_);
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+
+  static OpenedCase open(const std::vector<std::filesystem::path>& paths) { return openInputs({.paths = paths, .options = {}}); }
+
+  static inline std::filesystem::path folder_;
+};
+
+TEST_F(OpenInputsTest, ACaseForgetsNeitherTheCtNorWhereItLiesWhenTheFolderChanges) {
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_);
+  const OpenedCase opened = open({"ct.nii.gz", "segmentation.seg.nrrd"});
+  std::filesystem::current_path(before);
+  EXPECT_EQ(opened.content.ctSource, (folder_ / "ct.nii.gz").string());
+  ASSERT_TRUE(readCtOf(opened.content));
+}
+
+TEST_F(OpenInputsTest, AReplacedCtIsNotShownUnderTheCaseOfAnother_H2) {
+  const auto ct = folder_ / "other" / "ct.nii.gz";
+  std::filesystem::create_directories(ct.parent_path());
+  std::filesystem::copy_file(folder_ / "ct.nii.gz", ct);
+  const auto file = folder_ / "a.glisson";
+  const OpenedCase made = open({ct, folder_ / "segmentation.seg.nrrd"});
+  { const CaseFile written = CaseFile::create(file, made.content); }
+  EXPECT_EQ(open({file}).content.ctSource, ct.string());
+  std::filesystem::remove(ct);
+  std::filesystem::copy_file(folder_ / "labels.nii.gz", ct);  // the same grid, other values
+  const OpenedCase reopened = open({file});
+  EXPECT_EQ(readCtOf(reopened.content), nullptr);
+  ASSERT_FALSE(reopened.content.notes.empty());
+  EXPECT_NE(reopened.content.notes.back().find("is not the one this case was made from"), std::string::npos);
+}
+
+TEST_F(OpenInputsTest, TheBuiltInPatientsCtIsMadeAgainFromItsCaseAndNothingElse) {
+  const OpenedCase opened = openInputs({.paths = {}, .sample = true, .options = {}});
+  EXPECT_EQ(opened.content.ctSource, kSampleSource);
+  EXPECT_TRUE(readCtOf(opened.content));
+  Case gone = opened.content;
+  gone.ctSource = "/nowhere/ct.nii.gz";
+  EXPECT_THROW(readCtOf(gone), InputError);
+}
+
+TEST_F(OpenInputsTest, AFolderOfMasksBesideTheCtOpensAsOnePatient) {
+  const auto patient = folder_ / "patient";
+  std::filesystem::create_directories(patient);
+  std::filesystem::copy(folder_ / "dicom", patient / "ct");
+  std::filesystem::copy_file(folder_ / "segmentation.seg.nrrd", patient / "segmentation.seg.nrrd");
+  const OpenedCase opened = open({patient});
+  EXPECT_TRUE(opened.content.ct);
+  EXPECT_EQ(opened.content.model->structures.size(), 7U);
+}
+
+}  // namespace
+}  // namespace glisson

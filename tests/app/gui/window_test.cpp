@@ -1,0 +1,362 @@
+// The window driven as a person drives it: clicks, keys, drops. Needs a display.
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSemaphore>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include "app/gui/export_panel.h"
+#include "app/gui/job_bar.h"
+#include "app/gui/label_dialog.h"
+#include "app/gui/main_window.h"
+#include "app/gui/message_bar.h"
+#include "app/gui/title_line.h"
+#include "app/gui/view_area.h"
+#include "app/jobs/thread_job_runner.h"
+#include "planning/exchange/package.h"
+#include "small_case.h"
+#include "wait.h"
+
+namespace glisson {
+namespace {
+
+using test::smallCase;
+using test::smallCentre;
+using test::waitFor;
+
+class WindowTest : public testing::Test {
+ protected:
+  QTemporaryDir folder;
+  Language language;
+  std::unique_ptr<ThreadJobRunner> jobs = std::make_unique<ThreadJobRunner>(2);
+  std::unique_ptr<MainWindow> window;
+
+  void SetUp() override {
+    language.use("en");
+    window = std::make_unique<MainWindow>(*jobs, language, folder.filePath("recovery").toStdString());
+    window->resize(1024, 700);
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+  }
+  void TearDown() override {
+    jobs.reset();
+    window.reset();
+  }
+  template <class T>
+  T* find(const QString& name) {
+    T* found = window->findChild<T*>(name);
+    EXPECT_NE(found, nullptr) << name.toStdString();
+    return found;
+  }
+  void click(const QString& name) { QTest::mouseClick(find<QWidget>(name), Qt::LeftButton); }
+  /// Qt posts the change to every window: it has arrived when the menu speaks the language.
+  void changeLanguage(const QString& code) {
+    window->setLanguage(code);
+    const QString file = code == "de" ? "&Datei" : "&File";
+    ASSERT_TRUE(waitFor([&] { return find<QMenu>("menuFile")->menuAction()->text() == file; }));
+    QTest::qWait(50);  // layouts settle in the event loop
+  }
+  Document& document() { return window->document(); }
+
+  /// Opens the small case by way of the opener's signal, as after reading, and waits for the whole model.
+  void openSmall() {
+    emit window->opener().opened(smallCase(), nullptr, {});
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(window->builder().missing(), 0);
+  }
+  bool settle() {
+    return waitFor([this] { return jobs->idle() && document().freshness() == Freshness::All; });
+  }
+  void openSmallWithPlane() {
+    openSmall();
+    click("workspacePlan");
+    click("placePlane");
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(document().plane().has_value());
+  }
+};
+
+TEST_F(WindowTest, TheEmptyWindowOffersTheSamplePatientOneClickAway) {
+  EXPECT_TRUE(find<QPushButton>("openSample")->isVisible());
+  EXPECT_TRUE(find<QPushButton>("openSample")->isEnabled());
+  EXPECT_FALSE(find<QWidget>("structureList")->isVisible());
+}
+
+TEST_F(WindowTest, EveryStructureAppearsWithItsVolumeFromVoxels) {
+  openSmall();
+  auto* tree = find<QTreeWidget>("structureTree");
+  ASSERT_EQ(tree->topLevelItemCount(), 3);
+  EXPECT_EQ(tree->topLevelItem(0)->text(0), "liver");
+  EXPECT_TRUE(tree->topLevelItem(0)->text(1).startsWith("18")) << tree->topLevelItem(0)->text(1).toStdString();
+  EXPECT_TRUE(tree->topLevelItem(0)->toolTip(0).contains("PSR")) << tree->topLevelItem(0)->toolTip(0).toStdString();
+  EXPECT_EQ(find<QToolButton>("workspaceModel")->text(), "Model\n3 of 3 made");
+}
+
+TEST_F(WindowTest, APlanePlacedByTheButtonHalvesTheLiverAndShowsTheNumbers) {
+  openSmallWithPlane();
+  EXPECT_NEAR(document().assessment().resectedMl / document().assessment().totalMl, 0.5, 0.02);
+  EXPECT_TRUE(find<QLabel>("flrShare")->text().contains('%'));
+  EXPECT_EQ(find<QTreeWidget>("tumourTable")->topLevelItemCount(), 1);
+  EXPECT_EQ(document().undoStack().count(), 1);
+}
+
+TEST_F(WindowTest, AnOriginTypedInMovesThePlaneAndUndoNamesTheStep) {
+  openSmallWithPlane();
+  auto* field = find<QDoubleSpinBox>("originX");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "-30.5");
+  QTest::keyClick(field, Qt::Key_Return);
+  ASSERT_TRUE(document().plane().has_value());
+  EXPECT_EQ(document().plane()->origin.x(), -30.5);
+  auto* undo = find<QAction>("actionUndo");
+  EXPECT_EQ(undo->text(), "Undo: move plane");
+  undo->trigger();
+  EXPECT_NE(document().plane()->origin.x(), -30.5);
+  EXPECT_EQ(undo->text(), "Undo: place plane");
+}
+
+TEST_F(WindowTest, AWholeNewNormalCanBeTypedFieldByField) {
+  openSmallWithPlane();  // its normal is (1, 0, 0): the first field alone would leave no direction
+  for (const auto& [name, text] : {std::pair("normalX", "0"), std::pair("normalY", "0"), std::pair("normalZ", "1")}) {
+    auto* field = find<QDoubleSpinBox>(name);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+  }
+  QTest::keyClick(find<QDoubleSpinBox>("normalZ"), Qt::Key_Return);
+  EXPECT_NEAR((document().plane()->normal - Vec3::UnitZ()).norm(), 0, 1e-9);
+  EXPECT_EQ(document().undoStack().count(), 2);
+}
+
+TEST_F(WindowTest, ANormalWithoutDirectionIsRefusedAndSaysSo) {
+  openSmallWithPlane();
+  const Vec3 before = document().plane()->normal;
+  auto* field = find<QDoubleSpinBox>("normalX");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "0");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(document().plane()->normal, before);
+  EXPECT_EQ(window->messages().messages().size(), 1);
+}
+
+TEST_F(WindowTest, StepsAlongTheNormalAndTiltsDoExactlyTheirAmount) {
+  openSmallWithPlane();
+  const HalfSpace before = *document().plane();
+  find<QDoubleSpinBox>("moveStep")->setValue(3);
+  click("moveForward");
+  EXPECT_NEAR((document().plane()->origin - before.origin).dot(before.normal), 3, 1e-9);
+  find<QDoubleSpinBox>("tiltStep")->setValue(10);
+  click("tiltLeft");
+  EXPECT_NEAR(document().plane()->normal.dot(before.normal), std::cos(10 * 3.14159265358979 / 180), 1e-9);
+  click("flipPlane");
+  EXPECT_LT(document().plane()->normal.dot(before.normal), 0);
+  click("removePlane");
+  EXPECT_FALSE(document().plane().has_value());
+  EXPECT_FALSE(find<QToolButton>("moveForward")->isEnabled());
+}
+
+TEST_F(WindowTest, ADragInTheViewIsOneStepAndTheVolumeFollows) {
+  openSmallWithPlane();
+  ModelView& view = window->views().modelView();
+  const HalfSpace from = *document().plane();
+  const double before = document().assessment().resectedMl;
+  emit view.planeDragStarted();
+  for (int i = 1; i <= 10; ++i) {
+    emit view.planeDragged({from.origin + i * from.normal, from.normal});
+    EXPECT_LT(document().assessment().resectedMl, before);
+  }
+  emit view.planeDragFinished({from.origin + 10 * from.normal, from.normal});
+  EXPECT_EQ(document().undoStack().count(), 2);
+  find<QAction>("actionUndo")->trigger();
+  EXPECT_EQ(document().plane()->origin, from.origin);
+}
+
+TEST_F(WindowTest, TheCheckboxHidesAStructureInTheModel) {
+  openSmall();
+  auto* tree = find<QTreeWidget>("structureTree");
+  tree->topLevelItem(1)->setCheckState(0, Qt::Unchecked);
+  int hidden = 0;
+  for (const Structure& structure : document().content().model->structures) {
+    hidden += structure.visible ? 0 : 1;
+  }
+  EXPECT_EQ(hidden, 1);
+}
+
+TEST_F(WindowTest, ARunningJobShowsItselfAndItsCancelIsObeyedAtOnce) {
+  QSemaphore mayEnd;
+  jobs->submit({.title = "Long work", .process = [&](const ExecutionContext&) { mayEnd.acquire(); }});
+  auto* bar = find<JobBar>("jobBar");
+  ASSERT_TRUE(waitFor([&] { return bar->shownJobs() == 1; }));
+  click("cancelJob");
+  EXPECT_EQ(bar->shownJobs(), 0);
+  mayEnd.release();
+  EXPECT_TRUE(waitFor([&] { return jobs->idle(); }));
+}
+
+TEST_F(WindowTest, CancelledStructuresAreMissingAndOneClickMakesThem) {
+  emit window->opener().opened(smallCase(), nullptr, {});
+  jobs->cancelAll();
+  ASSERT_TRUE(waitFor([&] { return jobs->idle(); }));
+  EXPECT_EQ(window->builder().missing(), 3);
+  click("workspaceModel");
+  EXPECT_TRUE(find<QPushButton>("reconstructModel")->isEnabled());
+  click("reconstructModel");
+  ASSERT_TRUE(waitFor([&] { return jobs->idle(); }));
+  EXPECT_EQ(window->builder().missing(), 0);
+}
+
+TEST_F(WindowTest, AnErrorStaysUntilItIsRead) {
+  window->opener().openPaths({folder.filePath("nothing.nii")});
+  ASSERT_TRUE(waitFor([&] { return find<QWidget>("messageBar")->isVisible(); }));
+  EXPECT_TRUE(find<QLabel>("messageText")->text().contains("nothing.nii"));
+  click("messageDismiss");
+  EXPECT_FALSE(find<QWidget>("messageBar")->isVisible());
+}
+
+TEST_F(WindowTest, ACaseThatIsDroppedOpensWithItsPlan) {
+  openSmallWithPlane();
+  const Vec3 origin = document().plane()->origin;
+  const QString path = folder.filePath("dropped case.glisson");
+  document().saveAs(path.toStdString());
+  ASSERT_TRUE(waitFor([&] { return document().isClean(); }));
+  document().close();
+  EXPECT_TRUE(find<QPushButton>("openSample")->isVisible());
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(path)});
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window.get(), &drop);
+  ASSERT_TRUE(waitFor([&] { return document().isOpen(); }));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(document().plane()->origin, origin);
+  EXPECT_EQ(window->builder().missing(), 0);
+  EXPECT_TRUE(document().isClean());
+}
+
+TEST_F(WindowTest, ThePackageIsExportedAndSound) {
+  openSmallWithPlane();
+  QSignalSpy exported(&window->exportPanel(), &ExportPanel::exported);
+  QSignalSpy failed(window.get(), &MainWindow::failed);
+  click("workspaceExport");
+  EXPECT_TRUE(find<QPushButton>("exportPackage")->isEnabled());
+  window->exportPanel().exportTo(folder.path());
+  if (auto* accept = window->findChild<QPushButton*>("deviationAccept")) {
+    accept->click();
+  }
+  ASSERT_TRUE(waitFor([&] { return exported.count() + failed.count() > 0; }));
+  ASSERT_EQ(failed.count(), 0) << failed.front().front().toString().toStdString();
+  const std::vector<std::string> problems = verifyPackage(exported.front().front().toString().toStdString());
+  EXPECT_TRUE(problems.empty()) << problems.front();
+  EXPECT_EQ(find<QToolButton>("workspaceExport")->text(), "Export\nexported");
+  window->movePlaneBy(1);
+  EXPECT_EQ(find<QToolButton>("workspaceExport")->text(), "Export\nout of date") << "H5";
+}
+
+TEST_F(WindowTest, TheTitleLineNamesThePatientAndTheSwitchHidesThePerson_H2_H8) {
+  openSmall();
+  const QString code = QString::fromStdString(document().content().code);
+  for (const char* text : {"Small, Patient", "SP-17", "1961-02-03", "2024-05-06"}) {
+    EXPECT_TRUE(window->titleLine().text().contains(text)) << window->titleLine().text().toStdString();
+  }
+  click("hideIdentity");
+  for (const char* text : {"Small", "SP-17", "1961", "2024"}) {
+    EXPECT_FALSE(window->titleLine().text().contains(text)) << window->titleLine().text().toStdString();
+  }
+  EXPECT_TRUE(window->titleLine().text().contains(code));
+}
+
+TEST_F(WindowTest, TheLanguageChangesAtRunTimeWithItsNumbers) {
+  openSmallWithPlane();
+  changeLanguage("de");
+  EXPECT_EQ(find<QPushButton>("placePlane")->text(), QString("Ebene auf die Leber setzen"));
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), QString("Rückgängig: Ebene setzen"));
+  EXPECT_TRUE(find<QTreeWidget>("structureTree")->topLevelItem(0)->text(1).contains(','));
+  EXPECT_TRUE(find<QDoubleSpinBox>("originX")->text().contains(','));
+  changeLanguage("en");
+  EXPECT_EQ(find<QPushButton>("placePlane")->text(), "Place plane on the liver");
+  EXPECT_TRUE(find<QDoubleSpinBox>("originX")->text().contains('.'));
+}
+
+TEST_F(WindowTest, NothingIsCutOffInTheSmallestWindowInAnyLanguage) {
+  openSmallWithPlane();
+  for (const char* code : {"en", "de"}) {
+    changeLanguage(code);
+    for (const char* workspace : {"workspaceCase", "workspaceModel", "workspacePlan", "workspaceExport"}) {
+      click(workspace);
+      QTest::qWait(50);  // layouts settle in the event loop
+      EXPECT_LE(window->width(), 1024);
+      EXPECT_LE(window->height(), 700);
+      for (QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
+        if (button->isVisible() && !button->text().isEmpty()) {
+          EXPECT_GE(button->width(), button->minimumSizeHint().width()) << code << ' ' << button->text().toStdString();
+        }
+      }
+      for (QLabel* label : window->findChildren<QLabel*>()) {
+        const bool elidable = label->objectName() == "jobNews";
+        if (label->isVisible() && !label->wordWrap() && !elidable && !label->text().isEmpty()) {
+          EXPECT_GE(label->width(), label->sizeHint().width()) << code << ' ' << label->text().toStdString();
+        }
+      }
+    }
+  }
+}
+
+TEST_F(WindowTest, NoControlIsGreyWithoutAReason) {
+  const auto check = [this] {
+    for (QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
+      if (button->isVisible() && !button->isEnabled()) {
+        EXPECT_FALSE(button->toolTip().isEmpty()) << button->objectName().toStdString();
+      }
+    }
+  };
+  check();
+  openSmall();
+  for (const char* workspace : {"workspaceCase", "workspaceModel", "workspacePlan", "workspaceExport"}) {
+    click(workspace);
+    check();
+  }
+}
+
+TEST_F(WindowTest, UnknownLabelsAreAskedForAndNeverGuessed) {
+  LabelledMask label;
+  label.name = "label 64";
+  LabelDialog dialog({label, label}, test::smallGrid());
+  auto* accept = dialog.findChild<QPushButton*>("labelAccept");
+  EXPECT_FALSE(accept->isEnabled());
+  dialog.findChild<QComboBox*>("labelKind0")->setCurrentIndex(2);
+  EXPECT_FALSE(accept->isEnabled());
+  dialog.findChild<QComboBox*>("labelKind1")->setCurrentIndex(2);
+  EXPECT_TRUE(accept->isEnabled());
+  EXPECT_EQ(dialog.chosen().at("label 64"), StructureKind::PortalVein);
+}
+
+TEST_F(WindowTest, ADoubleClickMaximisesAViewAndRestores) {
+  openSmall();
+  auto* axial = find<SliceView>("axialView");
+  const int before = axial->width();
+  emit axial->maximiseRequested();
+  EXPECT_FALSE(window->views().modelView().isVisible());
+  QTest::qWait(20);
+  EXPECT_GT(axial->width(), before * 3 / 2);
+  emit axial->maximiseRequested();
+  EXPECT_TRUE(window->views().modelView().isVisible());
+}
+
+}  // namespace
+}  // namespace glisson

@@ -1,0 +1,242 @@
+#include "reconstruction/reconstruct.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "reconstruction/errors.h"
+#include "reconstruction/mesh/self_intersection.h"
+#include "reconstruction/mesh/untangle.h"
+#include "tests/reconstruction/mesh/solids.h"
+
+namespace glisson {
+namespace {
+
+struct Ball {
+  Vec3 centre;
+  double radius;
+};
+
+struct Body {
+  Mask mask;
+  ImageGeometry geometry;
+};
+
+/// Balls (index coordinates) less hollows on a grid of cubes of 0.8 mm.
+Body ballsOf(const Index3& size, const std::vector<Ball>& balls, const std::vector<Ball>& hollows = {}) {
+  std::vector<std::uint8_t> values(static_cast<std::size_t>(size[0] * size[1] * size[2]), 0);
+  std::size_t n = 0;
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      for (int i = 0; i < size[0]; ++i, ++n) {
+        const auto holds = [&](const Ball& ball) { return (Vec3(i, j, k) - ball.centre).norm() <= ball.radius; };
+        if (std::any_of(balls.begin(), balls.end(), holds) && std::none_of(hollows.begin(), hollows.end(), holds)) {
+          values[n] = 1;
+        }
+      }
+    }
+  }
+  Body body{Mask::fromGrid(size, values), {}};
+  body.geometry.size = size;
+  body.geometry.spacing = Vec3::Constant(0.8);
+  body.geometry.origin = Vec3(-50, 20, -300);
+  return body;
+}
+
+bool anyContains(const std::vector<std::string>& texts, std::string_view part) {
+  return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) { return text.find(part) != std::string::npos; });
+}
+
+ReconstructionParameters mcsd(int smoothing, double decimation, SmoothingFilter filter = SmoothingFilter::Sinc) {
+  ReconstructionParameters parameters;
+  parameters.method = Method::Mcsd;
+  parameters.mcsd.smoothing = smoothing;
+  parameters.mcsd.decimation = decimation;
+  parameters.mcsd.filter = filter;
+  return parameters;
+}
+
+TEST(Reconstruct, DefaultsArePsrForTheParenchymaAndSincMcsdForTheRest) {
+  EXPECT_EQ(ReconstructionParameters::defaultsFor(StructureKind::Liver).describe(), "PSR d=7 unbiased");
+  EXPECT_EQ(ReconstructionParameters::defaultsFor(StructureKind::PortalVein).describe(), "MCSD sinc 10 decimation 25 %");
+  EXPECT_EQ(mcsd(0, 0.0).describe(), "MCSD unsmoothed decimation 0 %");
+  EXPECT_EQ(mcsd(22, 0.9, SmoothingFilter::Laplacian).describe(), "MCSD Laplacian 22 decimation 90 %");
+}
+
+TEST(Reconstruct, ABallIsSoundByBothMethodsAndKeepsItsVolume) {
+  const Body ball = ballsOf({48, 48, 48}, {{{23, 24, 25}, 18}});
+  for (const auto kind : {StructureKind::Liver, StructureKind::Tumour}) {
+    const Reconstruction made = reconstruct(ball.mask, ball.geometry, kind, ReconstructionParameters::defaultsFor(kind));
+    EXPECT_EQ(made.defects.names(), std::vector<std::string>{});
+    EXPECT_EQ(made.deviations, std::vector<std::string>{});
+    EXPECT_FALSE(anyContains(made.notes, "Euler"));
+    EXPECT_FALSE(anyContains(made.notes, "piece"));
+    EXPECT_EQ(made.maskComponents, 1U);
+    EXPECT_EQ(made.meshComponents, 1U);
+    EXPECT_NEAR(made.voxelVolumeMl, static_cast<double>(ball.mask.count()) * 0.512e-3, 1e-9);
+    EXPECT_LT(std::abs(made.volumeDeviation()), 0.01);
+    EXPECT_FALSE(made.centrelineInside.has_value());
+  }
+}
+
+TEST(Reconstruct, AVolumeDeviationBeyondTheLimitOfItsKindIsNamed) {
+  const Body ball = ballsOf({30, 30, 30}, {{{15, 15, 15}, 9}});
+  const auto parameters = mcsd(90, 0.0, SmoothingFilter::Laplacian);
+  const Reconstruction made = reconstruct(ball.mask, ball.geometry, StructureKind::Tumour, parameters);
+  ASSERT_EQ(made.deviations.size(), 1U);
+  EXPECT_TRUE(made.deviations[0].starts_with("volume -")) << made.deviations[0];
+  EXPECT_TRUE(made.deviations[0].ends_with(" % against the voxels")) << made.deviations[0];
+}
+
+TEST(Reconstruct, ASmallTumourMayDeviateByATwentiethOfAMillilitre) {
+  const Body ball = ballsOf({12, 12, 12}, {{{6, 6, 6}, 3}});  // 0.063 mL
+  const Reconstruction made = reconstruct(ball.mask, ball.geometry, StructureKind::Tumour, mcsd(10, 0.25));
+  EXPECT_GT(std::abs(made.volumeDeviation()), 0.02);
+  EXPECT_EQ(made.deviations, std::vector<std::string>{});
+  const Reconstruction asVessel = reconstruct(ball.mask, ball.geometry, StructureKind::PortalVein, mcsd(10, 0.25));
+  EXPECT_FALSE(asVessel.deviations.empty());
+}
+
+TEST(Reconstruct, LostPiecesAreNamedWithTheirVoxelsAndASingleVoxelIsANoteOnly) {
+  // 400 rounds of Laplacian smoothing shrink the small ball and the single voxel to nothing much.
+  const Body balls = ballsOf({60, 40, 40}, {{{20, 20, 20}, 16}, {{50, 20, 20}, 2.3}, {{50, 5, 5}, 0.5}});
+  const Reconstruction worn =
+      reconstruct(balls.mask, balls.geometry, StructureKind::Tumour, mcsd(400, 0.0, SmoothingFilter::Laplacian));
+  EXPECT_EQ(worn.maskComponents, 3U);
+  EXPECT_TRUE(anyContains(worn.notes, "2 pieces of 3 lost: 57, 1 voxels"));
+  EXPECT_TRUE(anyContains(worn.deviations, "1 piece lost: 57 voxels"));
+  ReconstructionParameters psr;
+  psr.psr.depth = 6;
+  const Reconstruction kept = reconstruct(balls.mask, balls.geometry, StructureKind::Liver, psr);
+  EXPECT_TRUE(anyContains(kept.notes, "1 piece of 3 lost: 1 voxel"));
+  EXPECT_TRUE(anyContains(kept.notes, "2 pieces in the mesh, 3 in the mask"));
+  EXPECT_TRUE(anyContains(kept.notes, "1 piece thinner than three cells"));
+  EXPECT_EQ(kept.deviations, std::vector<std::string>{});
+}
+
+TEST(Reconstruct, ADepthTheVoxelsDoNotCarryIsLoweredAndNoted) {
+  const Body ball = ballsOf({24, 24, 24}, {{{12, 12, 12}, 8}});
+  ReconstructionParameters psr;
+  psr.psr.depth = 9;
+  const Reconstruction made = reconstruct(ball.mask, ball.geometry, StructureKind::Liver, psr);
+  EXPECT_LT(made.usedDepth, 9);
+  EXPECT_TRUE(anyContains(made.notes, "depth " + std::to_string(made.usedDepth) + " used instead of 9"));
+}
+
+TEST(Reconstruct, AMaskAtTheBorderIsNotedAndClosed) {
+  const Body ball = ballsOf({30, 30, 20}, {{{15, 15, 18}, 9}});
+  for (const auto kind : {StructureKind::Liver, StructureKind::Cyst}) {
+    const Reconstruction made = reconstruct(ball.mask, ball.geometry, kind, ReconstructionParameters::defaultsFor(kind));
+    EXPECT_FALSE(made.defects.any());
+    EXPECT_TRUE(anyContains(made.notes, "touches the border"));
+  }
+}
+
+TEST(Reconstruct, ACavityIsRepresentedOrNoted) {
+  const Body shell = ballsOf({40, 40, 40}, {{{20, 20, 20}, 16}}, {{{20, 20, 20}, 6}});
+  const Reconstruction made = reconstruct(shell.mask, shell.geometry, StructureKind::Liver, mcsd(10, 0.25));
+  EXPECT_FALSE(anyContains(made.notes, "cavit"));
+  EXPECT_FALSE(anyContains(made.notes, "Euler"));
+  EXPECT_EQ(made.meshComponents, 1U);
+  // Pores of 7 and 1 voxels are too small for cells of 3.8 mm.
+  const Body pores = ballsOf({150, 60, 60}, {{{30, 30, 30}, 26}, {{140, 30, 30}, 6}}, {{{30, 30, 30}, 0.5}, {{20, 30, 30}, 1.2}});
+  ReconstructionParameters coarse;
+  coarse.psr.depth = 5;
+  const Reconstruction filled = reconstruct(pores.mask, pores.geometry, StructureKind::Liver, coarse);
+  EXPECT_TRUE(anyContains(filled.notes, "2 cavities of 2 not represented: 7, 1 voxels"));
+  EXPECT_TRUE(anyContains(filled.notes, "Euler number"));
+}
+
+TEST(Reconstruct, AVesselsCentrelineLiesInsideItsMesh) {
+  std::vector<Ball> tube;
+  for (int n = 0; n < 60; ++n) {
+    tube.push_back({{8.0 + n, 12.0 + 6.0 * std::sin(n / 12.0), 14.0}, 3.2});
+  }
+  const Body vessel = ballsOf({80, 30, 28}, tube);
+  const Reconstruction good = reconstruct(vessel.mask, vessel.geometry, StructureKind::PortalVein, mcsd(10, 0.25));
+  ASSERT_TRUE(good.centrelineInside.has_value());
+  EXPECT_EQ(*good.centrelineInside, 1.0);
+  const Reconstruction worn =
+      reconstruct(vessel.mask, vessel.geometry, StructureKind::PortalVein, mcsd(1000, 0.0, SmoothingFilter::Laplacian));
+  EXPECT_LT(*worn.centrelineInside, 0.9);
+  EXPECT_TRUE(anyContains(worn.notes, "of the centreline lies inside"));
+}
+
+TEST(Reconstruct, SelfIntersectionsOfSmoothingAreUndoneWhereTheyAreFew) {
+  SurfaceMesh mesh = test::sphere(Vec3(10, 20, 30), 10, 4);
+  const Vec3 pushed = mesh.vertices[100] + 1.9 * (Vec3(10, 20, 30) - mesh.vertices[100]);
+  mesh.vertices[100] = mesh.vertices[100] + 0.02 * (pushed - mesh.vertices[100]);
+  std::swap(mesh.vertices[700], mesh.vertices[mesh.triangles[0][0] == 700 ? 701 : 700]);
+  for (std::size_t n = 0; n < 3; ++n) {
+    mesh.vertices[mesh.triangles[50][n]] +=
+        0.9 * (mesh.vertices[mesh.triangles[50][(n + 1) % 3]] - mesh.vertices[mesh.triangles[50][n]]);
+  }
+  const Triangle& folded = mesh.triangles[500];
+  mesh.vertices[folded[0]] = 2.2 * mesh.vertices[folded[1]] - 1.2 * mesh.vertices[folded[0]];
+  const std::size_t before = countSelfIntersections(mesh);
+  ASSERT_GT(before, 0U);
+  SurfaceMesh left = mesh;
+  EXPECT_EQ(untangle(left, before - 1).movedVertices, 0U);
+  const Untangled result = untangle(mesh, before);
+  EXPECT_EQ(result.before, before);
+  EXPECT_EQ(result.after, 0U);
+  EXPECT_LT(result.movedVertices, 60U);
+  EXPECT_EQ(countSelfIntersections(mesh), 0U);
+}
+
+TEST(Reconstruct, ThirtyLumpyBodiesAreSoundAndWithoutSelfIntersectionsByTheDefaults) {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int trial = 0; trial < 30; ++trial) {
+    std::vector<Ball> balls;
+    for (int n = 0; n < 5; ++n) {
+      balls.push_back({Vec3(8 + 16 * share(random), 8 + 16 * share(random), 8 + 16 * share(random)), 2.0 + 4.0 * share(random)});
+    }
+    const Body body = ballsOf({32, 32, 32}, balls);
+    const Reconstruction made = reconstruct(body.mask, body.geometry, StructureKind::Tumour, mcsd(10, 0.25));
+    EXPECT_EQ(made.defects.names(), std::vector<std::string>{}) << trial;
+    EXPECT_EQ(countSelfIntersections(made.mesh), 0U) << trial;
+  }
+}
+
+TEST(Reconstruct, AnEmptyMaskAndSenselessParametersAreRefused) {
+  ImageGeometry geometry;
+  geometry.size = {4, 4, 4};
+  EXPECT_THROW(reconstruct(Mask(), geometry, StructureKind::Liver, {}), ReconstructionError);
+  const Mask mask = Mask::fromGrid(geometry.size, std::vector<std::uint8_t>(64, 1));
+  EXPECT_THROW(reconstruct(mask, geometry, StructureKind::Tumour, mcsd(-1, 0.0)), UsageError);
+}
+
+TEST(Reconstruct, ProgressNeverFallsAndEndsAtOne) {
+  const Body ball = ballsOf({30, 30, 30}, {{{15, 15, 15}, 9}});
+  for (const auto kind : {StructureKind::Liver, StructureKind::PortalVein}) {
+    double last = 0.0;
+    const ExecutionContext context([&](double fraction, std::string_view) {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+    });
+    reconstruct(ball.mask, ball.geometry, kind, ReconstructionParameters::defaultsFor(kind), context);
+    EXPECT_DOUBLE_EQ(last, 1.0);
+  }
+}
+
+TEST(Reconstruct, ACancelInAnyPhaseEndsIt) {
+  const Body ball = ballsOf({40, 40, 40}, {{{20, 20, 20}, 16}});
+  for (const auto kind : {StructureKind::Liver, StructureKind::PortalVein}) {
+    for (const double when : {0.0, 0.2, 0.5, 0.8, 0.85, 0.95}) {
+      std::unique_ptr<ExecutionContext> context;
+      context = std::make_unique<ExecutionContext>([&](double fraction, std::string_view) {
+        if (fraction >= when) {
+          context->cancel();
+        }
+      });
+      EXPECT_THROW(reconstruct(ball.mask, ball.geometry, kind, ReconstructionParameters::defaultsFor(kind), *context), Cancelled);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glisson

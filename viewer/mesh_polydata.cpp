@@ -1,0 +1,80 @@
+#include "viewer/mesh_polydata.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
+
+#include <Eigen/Geometry>
+
+namespace glisson {
+
+namespace {
+
+std::vector<Vec3> vertexNormals(const SurfaceMesh& mesh) {
+  std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices[t[0]];
+    const Vec3 area = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
+    for (const std::uint32_t corner : t) {
+      normals[corner] += area;
+    }
+  }
+  for (Vec3& normal : normals) {
+    const double length = normal.norm();
+    normal = length > 0 ? Vec3(normal / length) : Vec3(Vec3::UnitZ());
+  }
+  return normals;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceMesh& mesh) {
+  const auto vertexCount = static_cast<vtkIdType>(mesh.vertices.size());
+  const auto triangleCount = static_cast<vtkIdType>(mesh.triangles.size());
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(vertexCount);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(vertexCount);
+  const std::vector<Vec3> normal = vertexNormals(mesh);
+  float* toPoint = coordinates->GetPointer(0);
+  float* toNormal = normals->GetPointer(0);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      *toPoint++ = static_cast<float>(mesh.vertices[v][c]);
+      *toNormal++ = static_cast<float>(normal[v][c]);
+    }
+  }
+
+  vtkNew<vtkTypeInt32Array> offsets;
+  offsets->SetNumberOfValues(triangleCount + 1);
+  vtkNew<vtkTypeInt32Array> corners;
+  corners->SetNumberOfValues(3 * triangleCount);
+  vtkTypeInt32* toCorner = corners->GetPointer(0);
+  for (vtkIdType t = 0; t <= triangleCount; ++t) {
+    offsets->SetValue(t, static_cast<vtkTypeInt32>(3 * t));
+  }
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t corner : t) {
+      *toCorner++ = static_cast<vtkTypeInt32>(corner);
+    }
+  }
+
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, corners);
+  auto poly = vtkSmartPointer<vtkPolyData>::New();
+  poly->SetPoints(points);
+  poly->SetPolys(cells);
+  poly->GetPointData()->SetNormals(normals);
+  return poly;
+}
+
+}  // namespace glisson

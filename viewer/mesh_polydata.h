@@ -1,0 +1,16 @@
+#pragma once
+// Purpose: meshes for the GPU: SurfaceMesh -> vtkPolyData (float, mm LPS) with smooth normals. Display only: nothing is measured on
+// it.
+
+#include <vtkSmartPointer.h>
+
+#include "reconstruction/mesh/surface_mesh.h"
+
+class vtkPolyData;
+
+namespace glisson {
+
+/// Points, triangles and one area-weighted unit normal per vertex.
+vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceMesh& mesh);
+
+}  // namespace glisson

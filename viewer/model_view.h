@@ -1,0 +1,73 @@
+#pragma once
+// Purpose: the 3D view: the combined model, the resection plane with its handles, orientation cube and letters. Frame: mm LPS.
+// Mouse: left rotates, middle pans, right or wheel zooms; 1/3/7 anterior/left/superior. Handles of the plane take the left button
+// first; Escape during a drag takes it back. Keys for the plane: PageUp/PageDown or +/- move it 1 mm along its normal (Shift 0.1
+// mm, Ctrl 5 mm), Ctrl+arrows tilt it by 1 degree about its centre (with Shift 5 degrees).
+
+#include <QImage>
+#include <memory>
+#include <optional>
+
+#include "planning/case/liver_model.h"
+#include "reconstruction/mesh/cut.h"
+#include "viewer/view_camera.h"
+#include "viewer/vtk_widget.h"
+
+namespace glisson {
+
+struct HandleLayout;
+
+class ModelView : public VtkWidget {
+  Q_OBJECT
+ public:
+  explicit ModelView(QWidget* parent = nullptr);
+  ~ModelView() override;
+
+  /// Shows this snapshot; structures without a mesh are left out, unchanged meshes are not uploaded again. Null clears the view.
+  /// The camera is placed (from anterior) when the first structure of a new patient appears, and makes room for the next ones
+  /// until the user moves it.
+  void setModel(std::shared_ptr<const LiverModel> model);
+  /// The resection plane, drawn only inside the parenchyma's mesh, with grid, handles and two sides told apart (the resected side
+  /// is tinted and labelled); nothing hides it. Emits no signal.
+  void setPlane(std::optional<HalfSpace> plane);
+  [[nodiscard]] std::optional<HalfSpace> plane() const;
+
+  enum class StandardView { Anterior, Posterior, Left, Right, Superior, Inferior };
+  void setStandardView(StandardView view);
+  /// Unit vectors, mm LPS: where the camera looks and its up. For planeFromCamera().
+  [[nodiscard]] Vec3 viewDirection() const;
+  [[nodiscard]] Vec3 viewUp() const;
+  /// The camera as numbers: world mm LPS <-> logical pixels of this widget.
+  [[nodiscard]] ViewCamera camera() const;
+  /// Where the plane's handles are now; nothing without a plane.
+  [[nodiscard]] std::optional<HandleLayout> handles() const;
+  /// What is seen, after all pending changes, with depth peeling. A null image where OpenGL is not available.
+  [[nodiscard]] QImage picture();
+
+ signals:
+  /// A handle was grasped, moved (each mouse move), released. From grasp to release is one undo step.
+  void planeDragStarted();
+  void planeDragged(const glisson::HalfSpace& plane);
+  void planeDragFinished(const glisson::HalfSpace& plane);
+  /// Double click: the layout maximises this view or restores.
+  void maximiseRequested();
+
+ protected:
+  void resizeGL(int width, int height) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void stepPlane(const HalfSpace& to);
+  [[nodiscard]] bool movePlaneByKey(const QKeyEvent& event);
+
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson

@@ -1,0 +1,166 @@
+#include "viewer/model_view_impl.h"
+
+#include <vtkCamera.h>
+#include <vtkProperty.h>
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+namespace glisson {
+
+namespace {
+
+constexpr double kFilled = 0.86;  ///< share of the view the model fills
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+void growBy(Eigen::AlignedBox3d& box, vtkRenderer* renderer) {
+  std::array<double, 6> bounds{};
+  renderer->ComputeVisiblePropBounds(bounds.data());
+  if (bounds[0] <= bounds[1]) {
+    box.extend(Vec3(bounds[0], bounds[2], bounds[4]));
+    box.extend(Vec3(bounds[1], bounds[3], bounds[5]));
+  }
+}
+
+}  // namespace
+
+void ModelView::Impl::makeCube() {
+  cube->SetXPlusFaceText("L");
+  cube->SetXMinusFaceText("R");
+  cube->SetYPlusFaceText("P");
+  cube->SetYMinusFaceText("A");
+  cube->SetZPlusFaceText("S");
+  cube->SetZMinusFaceText("I");
+  cube->SetFaceTextScale(0.6);
+  cube->SetXFaceTextRotation(0);
+  cube->SetYFaceTextRotation(0);
+  cube->SetZFaceTextRotation(90);  // upright with the patient's front up, as the superior view shows it
+  cube->GetCubeProperty()->SetColor(0.32, 0.34, 0.38);
+  cube->GetTextEdgesProperty()->SetColor(0.1, 0.1, 0.1);
+  for (vtkProperty* face : {cube->GetXPlusFaceProperty(), cube->GetXMinusFaceProperty(), cube->GetYPlusFaceProperty(),
+                            cube->GetYMinusFaceProperty(), cube->GetZPlusFaceProperty(), cube->GetZMinusFaceProperty()}) {
+    face->SetColor(0.95, 0.95, 0.95);
+    face->SetInterpolationToFlat();
+  }
+  marker->SetOrientationMarker(cube);
+  marker->SetInteractor(scene.interactor);
+  marker->SetViewport(0.0, 0.0, 0.16, 0.2);
+  marker->SetDefaultRenderer(scene.renderer);
+  marker->SetEnabled(1);
+  marker->InteractiveOff();
+}
+
+bool ModelView::Impl::showStructures() {
+  std::map<std::string, std::unique_ptr<StructureActors>> shown;
+  bool anyKept = false;
+  parenchyma.clear();
+  static const std::vector<Structure> kNone;
+  for (const Structure& structure : model ? model->structures : kNone) {
+    if (!structure.reconstruction || structure.reconstruction->mesh.empty()) {
+      continue;
+    }
+    const bool isParenchyma = structure.kind == StructureKind::Liver;
+    std::unique_ptr<StructureActors>& actors = shown[structure.id];
+    const auto old = structures.find(structure.id);
+    if (old != structures.end() && old->second->source() == structure.reconstruction.get()) {
+      actors = std::move(old->second);
+      structures.erase(old);
+      anyKept = true;
+    } else {
+      actors = std::make_unique<StructureActors>(scene.renderer, structure.reconstruction, isParenchyma);
+      scene.forgetFrameTimes();
+    }
+    actors->setLook(structure.colour, structure.opacity, structure.visible);
+    actors->setPlane(plane);
+    if (isParenchyma) {
+      parenchyma = structure.id;
+    }
+  }
+  structures = std::move(shown);
+  sectionStale = true;
+  return !anyKept;
+}
+
+/// The section through the parenchyma; the coarse stand-in while the plane moves.
+void ModelView::Impl::updateSection(bool coarse) {
+  if (!plane || !(sectionStale || (sectionIsCoarse && !coarse))) {
+    return;
+  }
+  const auto found = structures.find(parenchyma);
+  section.clear();
+  if (found != structures.end()) {
+    section = sectionLoops(coarse ? found->second->coarseMesh() : found->second->mesh(), *plane);
+  }
+  sectionStale = false;
+  sectionIsCoarse = coarse;
+  anchor = drag ? drag->anchorFor(*plane) : anchorOf(*plane, section);
+  planeActors.setSection(*plane, section);
+}
+
+void ModelView::Impl::prepareFrame(FrameQuality quality) {
+  const bool coarse = quality == FrameQuality::Moving;
+  bool anyTranslucent = plane.has_value();
+  for (const auto& [id, actors] : structures) {
+    actors->setSimplified(coarse);
+    anyTranslucent = anyTranslucent || actors->translucent();
+  }
+  planeActors.setVisible(plane.has_value());
+  if (plane) {
+    updateSection(coarse);
+    planeActors.placeHandles(*plane, layout(), drag ? std::optional(drag->handle()) : hovered);
+  }
+  scene.chooseTransparency(quality, anyTranslucent);
+  Eigen::AlignedBox3d box;
+  growBy(box, scene.renderer);
+  growBy(box, scene.overlay);
+  if (!box.isEmpty()) {
+    const std::array<double, 6> bounds{box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(), box.max().z()};
+    scene.renderer->ResetCameraClippingRange(bounds.data());
+  }
+}
+
+void ModelView::Impl::lookFrom(const Vec3& direction, const Vec3& up) {
+  placedDirection = direction;
+  placedUp = up;
+  Eigen::AlignedBox3d box(Vec3(-100, -100, -100), Vec3(100, 100, 100));
+  if (!structures.empty()) {
+    box.setEmpty();
+  }
+  for (const auto& [id, actors] : structures) {
+    const Bounds bounds = boundsOf(actors->mesh());
+    box.extend(bounds.low);
+    box.extend(bounds.high);
+  }
+  vtkCamera* camera = scene.renderer->GetActiveCamera();
+  const double tangentUp = kFilled * std::tan(0.5 * camera->GetViewAngle() * kDegree);
+  const double tangentRight = tangentUp * view->width() / std::max(1, view->height());
+  const Vec3 right = direction.cross(up);
+  double distance = 1;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 at = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - box.center();
+    const double needed = std::max(std::abs(at.dot(up)) / tangentUp, std::abs(at.dot(right)) / tangentRight);
+    distance = std::max(distance, needed - at.dot(direction));
+  }
+  const Vec3 centre = box.center();
+  const Vec3 position = centre - distance * direction;
+  camera->SetFocalPoint(centre.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
+  scene.cameraByHand = false;
+  view->requestRender();
+}
+
+void ModelView::Impl::fitAgain() {
+  if (!scene.cameraByHand) {
+    lookFrom(placedDirection, placedUp);
+  }
+}
+
+void ModelView::Impl::endDrag(const HalfSpace& at) {
+  drag.reset();
+  sectionStale = true;
+  emit view->planeDragFinished(at);
+  view->requestRender();
+}
+
+}  // namespace glisson

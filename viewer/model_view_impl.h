@@ -1,0 +1,55 @@
+#pragma once
+// Purpose: what ModelView is made of. Private to viewer/: only .cpp files include it.
+
+#include <vtkAnnotatedCubeActor.h>
+#include <vtkNew.h>
+#include <vtkOrientationMarkerWidget.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/model_view.h"
+#include "viewer/plane_actors.h"
+#include "viewer/structure_actors.h"
+#include "viewer/vtk_scene.h"
+
+namespace glisson {
+
+struct ModelView::Impl {
+  explicit Impl(ModelView* owner) : view(owner), scene(owner->scene()), planeActors(scene.renderer, scene.overlay) {}
+
+  ModelView* view;
+  Scene& scene;
+  std::shared_ptr<const LiverModel> model;
+  std::map<std::string, std::unique_ptr<StructureActors>> structures;
+  std::string parenchyma;  ///< id of the structure the plane cuts; empty where there is none yet
+  std::optional<HalfSpace> plane;
+  PlaneActors planeActors;
+  vtkNew<vtkAnnotatedCubeActor> cube;
+  vtkNew<vtkOrientationMarkerWidget> marker;
+  std::vector<Loop> section;
+  bool sectionStale = true;
+  bool sectionIsCoarse = false;
+  Vec3 anchor = Vec3::Zero();
+  std::optional<PlaneDrag> drag;
+  std::optional<PlaneHandle> hovered;
+  Vec3 placedDirection = Vec3::UnitY();
+  Vec3 placedUp = Vec3::UnitZ();
+
+  void makeCube();
+  /// Shows the structures of `model`; true where none of those shown before is left (a new patient).
+  bool showStructures();
+  void updateSection(bool coarse);
+  void prepareFrame(FrameQuality quality);
+  /// Places the camera so that the whole model is seen along `direction`.
+  void lookFrom(const Vec3& direction, const Vec3& up);
+  /// Places it again along the last direction, unless the user has moved it since.
+  void fitAgain();
+  [[nodiscard]] HandleLayout layout() const { return layoutHandles(*plane, anchor, section, view->camera()); }
+  void endDrag(const HalfSpace& at);
+};
+
+}  // namespace glisson

@@ -1,0 +1,199 @@
+#include "viewer/plane_actors.h"
+
+#include <vtkActor.h>
+#include <vtkArrowSource.h>
+#include <vtkBillboardTextActor3D.h>
+#include <vtkCellArray.h>
+#include <vtkContourTriangulator.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+#include <vtkTextProperty.h>
+
+#include <Eigen/Geometry>
+
+namespace glisson {
+
+namespace {
+
+struct Colour {
+  double r, g, b;
+};
+constexpr Colour kFill{0.86, 0.89, 0.93};
+constexpr Colour kGrid{0.25, 0.28, 0.33};
+constexpr Colour kOutline{1.0, 1.0, 1.0};
+constexpr Colour kHandle{0.95, 0.75, 0.25};
+constexpr Colour kHighlight{1.0, 1.0, 0.85};
+constexpr double kTiltScale = 0.75;
+constexpr double kGridLiftMm = 0.2;  ///< the grid lies this far off the fill on both sides, else the two flicker
+
+void setColour(vtkActor* actor, const Colour& colour) { actor->GetProperty()->SetColor(colour.r, colour.g, colour.b); }
+
+struct Drawable {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+
+  void init(vtkRenderer* renderer, const Colour& colour) {
+    mapper->SetInputData(data);
+    mapper->ScalarVisibilityOff();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    setColour(actor, colour);
+    renderer->AddActor(actor);
+  }
+};
+
+vtkIdType addPoint(vtkPoints* points, const Vec3& at) { return points->InsertNextPoint(at.x(), at.y(), at.z()); }
+
+}  // namespace
+
+struct PlaneActors::Impl {
+  vtkRenderer* model = nullptr;
+  vtkRenderer* overlay = nullptr;
+  Drawable fill, grid, outline;
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkArrowSource> arrow;
+  vtkNew<vtkPolyDataMapper> sphereMapper, arrowMapper;
+  vtkNew<vtkActor> centreActor, arrowActor;
+  std::array<vtkNew<vtkActor>, 4> tiltActors;
+  vtkNew<vtkBillboardTextActor3D> label;
+
+  [[nodiscard]] std::vector<vtkProp*> overlayProps() const {
+    std::vector<vtkProp*> props{outline.actor, centreActor, arrowActor, label};
+    for (const auto& tilt : tiltActors) {
+      props.push_back(tilt);
+    }
+    return props;
+  }
+};
+
+PlaneActors::PlaneActors(vtkRenderer* model, vtkRenderer* overlay) : impl_(std::make_unique<Impl>()) {
+  Impl& d = *impl_;
+  d.model = model;
+  d.overlay = overlay;
+  d.fill.init(model, kFill);
+  d.fill.actor->GetProperty()->SetOpacity(0.6);
+  d.grid.init(model, kGrid);
+  d.outline.init(overlay, kOutline);
+  d.outline.actor->GetProperty()->SetLineWidth(2);
+
+  d.sphere->SetThetaResolution(24);
+  d.sphere->SetPhiResolution(16);
+  d.sphere->SetRadius(1);
+  d.sphereMapper->SetInputConnection(d.sphere->GetOutputPort());
+  d.arrow->SetShaftResolution(16);
+  d.arrow->SetTipResolution(24);
+  d.arrow->SetShaftRadius(0.025);
+  d.arrow->SetTipRadius(0.09);
+  d.arrow->SetTipLength(0.28);
+  d.arrowMapper->SetInputConnection(d.arrow->GetOutputPort());
+  d.centreActor->SetMapper(d.sphereMapper);
+  d.arrowActor->SetMapper(d.arrowMapper);
+  for (auto& tilt : d.tiltActors) {
+    tilt->SetMapper(d.sphereMapper);
+  }
+  vtkTextProperty* text = d.label->GetTextProperty();
+  text->SetFontSize(14);  // at 72 dpi; the render window's DPI follows the screen
+  text->SetColor(1, 1, 1);
+  text->SetBackgroundColor(0.1, 0.11, 0.13);
+  text->SetBackgroundOpacity(0.75);
+  text->SetJustificationToCentered();
+  text->SetVerticalJustificationToCentered();
+  for (vtkProp* prop : d.overlayProps()) {
+    overlay->AddViewProp(prop);
+  }
+}
+
+PlaneActors::~PlaneActors() {
+  impl_->model->RemoveActor(impl_->fill.actor);
+  impl_->model->RemoveActor(impl_->grid.actor);
+  for (vtkProp* prop : impl_->overlayProps()) {
+    impl_->overlay->RemoveViewProp(prop);
+  }
+}
+
+void PlaneActors::setVisible(bool visible) {
+  impl_->fill.actor->SetVisibility(visible);
+  impl_->grid.actor->SetVisibility(visible);
+  for (vtkProp* prop : impl_->overlayProps()) {
+    prop->SetVisibility(visible);
+  }
+}
+
+void PlaneActors::setSection(const HalfSpace& plane, const std::vector<Loop>& loops) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  for (const Loop& loop : loops) {
+    lines->InsertNextCell(static_cast<int>(loop.size()) + 1);
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (const Vec3& point : loop) {
+      lines->InsertCellPoint(addPoint(points, point));
+    }
+    lines->InsertCellPoint(first);
+  }
+  impl_->outline.data->SetPoints(points);
+  impl_->outline.data->SetLines(lines);
+  impl_->outline.data->Modified();
+
+  vtkNew<vtkContourTriangulator> triangulator;
+  triangulator->TriangulationErrorDisplayOff();
+  triangulator->SetInputData(impl_->outline.data);
+  triangulator->Update();
+  impl_->fill.data->SetPoints(triangulator->GetOutput()->GetPoints());
+  impl_->fill.data->SetPolys(triangulator->GetOutput()->GetPolys());
+  impl_->fill.data->Modified();
+
+  vtkNew<vtkPoints> gridPoints;
+  vtkNew<vtkCellArray> gridCells;
+  for (const auto& [from, to] : gridLines(loops, plane, kGridMm)) {
+    for (const double side : {-kGridLiftMm, kGridLiftMm}) {
+      const Vec3 lift = side * plane.normal;
+      gridCells->InsertNextCell(2);
+      gridCells->InsertCellPoint(addPoint(gridPoints, from + lift));
+      gridCells->InsertCellPoint(addPoint(gridPoints, to + lift));
+    }
+  }
+  impl_->grid.data->SetPoints(gridPoints);
+  impl_->grid.data->SetLines(gridCells);
+  impl_->grid.data->Modified();
+}
+
+void PlaneActors::placeHandles(const HalfSpace& plane, const HandleLayout& layout, std::optional<PlaneHandle> highlighted) {
+  Impl& d = *impl_;
+  const auto colourOf = [&](PlaneHandle handle) { return highlighted == handle ? kHighlight : kHandle; };
+  const double radius = kHandlePixels * layout.mmPerPixel;
+  d.centreActor->SetPosition(layout.anchor.x(), layout.anchor.y(), layout.anchor.z());
+  d.centreActor->SetScale(radius);
+  setColour(d.centreActor, colourOf(PlaneHandle::Centre));
+  for (std::size_t n = 0; n < 4; ++n) {
+    const Vec3& at = layout.tilts[n];
+    d.tiltActors[n]->SetPosition(at.x(), at.y(), at.z());
+    d.tiltActors[n]->SetScale(kTiltScale * radius);
+    d.tiltActors[n]->SetVisibility(layout.tiltShown[n]);
+    setColour(d.tiltActors[n], colourOf(static_cast<PlaneHandle>(static_cast<int>(PlaneHandle::TiltRight) + static_cast<int>(n))));
+  }
+
+  // vtkArrowSource runs from (0,0,0) to (1,0,0).
+  const PlaneAxes axes = axesOf(plane.normal);
+  const double length = kArrowPixels * layout.mmPerPixel;
+  vtkNew<vtkMatrix4x4> pose;
+  for (int row = 0; row < 3; ++row) {
+    pose->SetElement(row, 0, length * plane.normal[row]);
+    pose->SetElement(row, 1, length * axes.u[row]);
+    pose->SetElement(row, 2, length * axes.v[row]);
+    pose->SetElement(row, 3, layout.anchor[row]);
+  }
+  d.arrowActor->SetUserMatrix(pose);
+  setColour(d.arrowActor, colourOf(PlaneHandle::Normal));
+  d.label->SetPosition(layout.label.x(), layout.label.y(), layout.label.z());
+}
+
+void PlaneActors::setLabel(const std::string& text) { impl_->label->SetInput(text.c_str()); }
+
+}  // namespace glisson

@@ -1,0 +1,147 @@
+#include "viewer/plane_handles.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace glisson {
+
+namespace {
+
+constexpr double kLabelPixels = 36.0;     ///< from the arrow's tip to the middle of the word
+constexpr double kLabelBelow = 26.0;      ///< where the arrow is seen end-on
+constexpr double kGraspPixels = 12.0;     ///< how near the mouse must be
+constexpr double kFallbackPixels = 60.0;  ///< reach of a tilt handle where the plane misses the liver
+constexpr double kEndOnCosine = 0.97;     ///< the arrow is seen end-on: its direction on the screen says nothing
+
+double distanceToSegment(const Pixel& point, const Pixel& a, const Pixel& b) {
+  const Pixel along = b - a;
+  const double squared = along.squaredNorm();
+  const double t = squared > 0 ? std::clamp((point - a).dot(along) / squared, 0.0, 1.0) : 0.0;
+  return (point - (a + t * along)).norm();
+}
+
+bool isTilt(PlaneHandle handle) { return handle != PlaneHandle::Centre && handle != PlaneHandle::Normal; }
+
+}  // namespace
+
+Vec3 anchorOf(const HalfSpace& plane, const std::vector<Loop>& section) {
+  return isInside(section, plane, plane.origin) ? plane.origin : centreOf(section, plane);
+}
+
+HandleLayout layoutHandles(const HalfSpace& plane, const Vec3& anchor, const std::vector<Loop>& section, const ViewCamera& camera) {
+  HandleLayout layout;
+  layout.anchor = anchor;
+  layout.mmPerPixel = camera.mmPerPixel(anchor);
+  layout.arrowTip = anchor + kArrowPixels * layout.mmPerPixel * plane.normal;
+  const Vec3 acrossView = plane.normal - plane.normal.dot(camera.forward) * camera.forward;
+  layout.label =
+      layout.arrowTip + layout.mmPerPixel * (kLabelPixels * acrossView - kLabelBelow * (1.0 - acrossView.norm()) * camera.up);
+  const PlaneAxes axes = axesOf(plane.normal);
+  const std::array<Vec3, 4> directions{axes.u, axes.v, -axes.u, -axes.v};
+  const Pixel centre = camera.toPixel(anchor);
+  for (std::size_t n = 0; n < 4; ++n) {
+    double distance = reach(section, plane, anchor, directions[n]);
+    if (distance <= 0) {
+      distance = kFallbackPixels * layout.mmPerPixel;
+    }
+    layout.tilts[n] = anchor + distance * directions[n];
+    layout.tiltShown[n] = (camera.toPixel(layout.tilts[n]) - centre).norm() > 2.2 * kHandlePixels;
+  }
+  return layout;
+}
+
+std::optional<PlaneHandle> handleAt(const HandleLayout& layout, const ViewCamera& camera, const Pixel& mouse) {
+  std::optional<PlaneHandle> best;
+  double nearest = kGraspPixels;
+  const auto consider = [&](PlaneHandle handle, double distance) {
+    if (distance < nearest) {
+      nearest = distance;
+      best = handle;
+    }
+  };
+  const Pixel centre = camera.toPixel(layout.anchor);
+  consider(PlaneHandle::Centre, (mouse - centre).norm());
+  for (std::size_t n = 0; n < 4; ++n) {
+    if (layout.tiltShown[n]) {
+      consider(static_cast<PlaneHandle>(static_cast<int>(PlaneHandle::TiltRight) + static_cast<int>(n)),
+               (mouse - camera.toPixel(layout.tilts[n])).norm());
+    }
+  }
+  // The arrow's foot belongs to the centre sphere.
+  const Pixel tip = camera.toPixel(layout.arrowTip);
+  const Pixel along = tip - centre;
+  const double length = along.norm();
+  const Pixel foot = length > 2 * kGraspPixels ? Pixel(centre + along * (1.5 * kGraspPixels / length)) : tip;
+  consider(PlaneHandle::Normal, distanceToSegment(mouse, foot, tip));
+  return best;
+}
+
+PlaneDrag::PlaneDrag(PlaneHandle handle, const HalfSpace& plane, const HandleLayout& layout, const ViewCamera& camera,
+                     const Pixel& mouse)
+    : handle_(handle), start_(plane), anchor_(layout.anchor), camera_(camera), grasp_(mouse) {
+  if (isTilt(handle)) {
+    const auto n = static_cast<std::size_t>(static_cast<int>(handle) - static_cast<int>(PlaneHandle::TiltRight));
+    radius_ = std::max((layout.tilts[n] - anchor_).norm(), 1e-6);
+    graspPoint_ = layout.tilts[n];
+    // The mouse rarely meets the handle's centre: keep the offset, so that nothing jumps.
+    grasp_ = camera_.toPixel(layout.tilts[n]) - mouse;
+  } else if (handle == PlaneHandle::Normal) {
+    graspAlong_ = alongNormal(mouse);
+  } else {
+    graspPoint_ = inPicture(mouse);
+  }
+}
+
+double PlaneDrag::alongNormal(const Pixel& mouse) const {
+  const Ray sight = camera_.rayAt(mouse);
+  const double cosine = sight.direction.dot(start_.normal);
+  if (std::abs(camera_.forward.dot(start_.normal)) > kEndOnCosine) {
+    // Seen end-on: up on the screen is away from the viewer.
+    const double sign = camera_.forward.dot(start_.normal) > 0 ? 1.0 : -1.0;
+    return sign * (grasp_.y() - mouse.y()) * camera_.mmPerPixel(anchor_);
+  }
+  // The point of the axis nearest to the line of sight (both directions are unit).
+  const Vec3 between = sight.origin - anchor_;
+  return (between.dot(start_.normal) - cosine * between.dot(sight.direction)) / (1.0 - cosine * cosine);
+}
+
+Vec3 PlaneDrag::inPicture(const Pixel& mouse) const {
+  const Ray sight = camera_.rayAt(mouse);
+  const double depth = (anchor_ - sight.origin).dot(camera_.forward) / sight.direction.dot(camera_.forward);
+  return sight.origin + depth * sight.direction;
+}
+
+Vec3 PlaneDrag::onSphere(const Pixel& mouse) const {
+  const Ray sight = camera_.rayAt(mouse + grasp_);
+  const double closest = (anchor_ - sight.origin).dot(sight.direction);
+  const Vec3 foot = sight.origin + closest * sight.direction - anchor_;
+  const double inside = radius_ * radius_ - foot.squaredNorm();
+  if (inside <= 0) {
+    return foot.normalized();  // beside the sphere: its rim
+  }
+  const double half = std::sqrt(inside);
+  const bool front = (graspPoint_ - anchor_).dot(camera_.forward) <= 0;
+  return (foot + (front ? -half : half) * sight.direction) / radius_;
+}
+
+HalfSpace PlaneDrag::planeAt(const Pixel& mouse) const {
+  if (handle_ == PlaneHandle::Normal) {
+    return {start_.origin + (alongNormal(mouse) - graspAlong_) * start_.normal, start_.normal};
+  }
+  if (handle_ == PlaneHandle::Centre) {
+    return {anchor_ + (inPicture(mouse) - graspPoint_), start_.normal};
+  }
+  const Vec3 from = (graspPoint_ - anchor_) / radius_;
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, onSphere(mouse));
+  return {anchor_, (turn * start_.normal).normalized()};
+}
+
+Vec3 PlaneDrag::anchorFor(const HalfSpace& plane) const {
+  if (handle_ == PlaneHandle::Normal) {
+    return anchor_ + (plane.origin - start_.origin);
+  }
+  return handle_ == PlaneHandle::Centre ? plane.origin : anchor_;
+}
+
+}  // namespace glisson

@@ -1,0 +1,63 @@
+#pragma once
+// Purpose: the handles of the resection plane without any drawing: where they stand, which one the mouse is over, and which plane
+// a drag gives. Pure values. Frame: mm LPS for the world, logical pixels for the picture.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "viewer/plane_section.h"
+#include "viewer/view_camera.h"
+
+namespace glisson {
+
+enum class PlaneHandle { Centre, Normal, TiltRight, TiltUp, TiltLeft, TiltDown };
+
+inline constexpr double kHandlePixels = 8.0;  ///< radius of the spheres
+inline constexpr double kArrowPixels = 80.0;  ///< length of the arrow along the normal
+
+struct HandleLayout {
+  Vec3 anchor = Vec3::Zero();  ///< centre sphere, foot of the arrow, pivot of a tilt
+  Vec3 arrowTip = Vec3::Zero();
+  Vec3 label = Vec3::Zero();        ///< middle of the word at the arrow; beside the handles also where the arrow is seen end-on
+  std::array<Vec3, 4> tilts{};      ///< TiltRight, TiltUp, TiltLeft, TiltDown, on the border of the section
+  std::array<bool, 4> tiltShown{};  ///< false where it would lie over the centre (seen edge-on)
+  double mmPerPixel = 1;            ///< at the anchor: handles keep their size on the screen
+};
+
+/// Where the handles of `plane` stand. The anchor is the plane's origin where that lies inside the section, else the section's
+/// centre.
+Vec3 anchorOf(const HalfSpace& plane, const std::vector<Loop>& section);
+HandleLayout layoutHandles(const HalfSpace& plane, const Vec3& anchor, const std::vector<Loop>& section, const ViewCamera& camera);
+
+/// The handle under the mouse, or nothing.
+std::optional<PlaneHandle> handleAt(const HandleLayout& layout, const ViewCamera& camera, const Pixel& mouse);
+
+/// One drag from grasp to release. The camera does not move meanwhile.
+class PlaneDrag {
+ public:
+  PlaneDrag(PlaneHandle handle, const HalfSpace& plane, const HandleLayout& layout, const ViewCamera& camera, const Pixel& mouse);
+  /// The plane for the mouse at `mouse`: Normal moves it along its normal, Centre takes its origin along in the picture's plane,
+  /// Tilt turns it about the anchor.
+  [[nodiscard]] HalfSpace planeAt(const Pixel& mouse) const;
+  [[nodiscard]] PlaneHandle handle() const { return handle_; }
+  [[nodiscard]] const HalfSpace& start() const { return start_; }
+  /// Where the anchor is for a plane of this drag.
+  [[nodiscard]] Vec3 anchorFor(const HalfSpace& plane) const;
+
+ private:
+  [[nodiscard]] double alongNormal(const Pixel& mouse) const;
+  [[nodiscard]] Vec3 inPicture(const Pixel& mouse) const;
+  [[nodiscard]] Vec3 onSphere(const Pixel& mouse) const;
+
+  PlaneHandle handle_;
+  HalfSpace start_;
+  Vec3 anchor_;
+  double radius_ = 1;
+  ViewCamera camera_;
+  Pixel grasp_;
+  double graspAlong_ = 0;
+  Vec3 graspPoint_ = Vec3::Zero();
+};
+
+}  // namespace glisson

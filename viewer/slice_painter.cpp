@@ -1,0 +1,138 @@
+#include "viewer/slice_painter.h"
+
+#include <QFontMetricsF>
+#include <QLineF>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "viewer/slice_view.h"
+
+namespace glisson {
+
+namespace {
+constexpr double kGapPixels = 9.0;
+constexpr double kTickPixels = 7.0;
+constexpr double kTickDistance = 14.0;
+const QColor kDark(15, 16, 18, 200);
+}  // namespace
+
+QColor viewColour(SliceAxis axis) {
+  switch (axis) {
+    case SliceAxis::Axial:
+      return QColor(0xF3, 0x4A, 0x33);
+    case SliceAxis::Coronal:
+      return QColor(0x6E, 0xB0, 0x4B);
+    case SliceAxis::Sagittal:
+      break;
+  }
+  return QColor(0xED, 0xD5, 0x4C);
+}
+
+std::optional<std::pair<SlicePoint, SlicePoint>> planeLine(const SliceGeometry& g, int slice, const HalfSpace& plane) {
+  const auto distance = [&](double column, double row) { return plane.normal.dot(g.toWorld({column, row}, slice) - plane.origin); };
+  // The signed distance is linear in the slice: f + x * fx + y * fy.
+  const double f = distance(0, 0);
+  const double fx = distance(1, 0) - f;
+  const double fy = distance(0, 1) - f;
+  const double steepest = std::hypot(fx, fy);
+  if (steepest < 1e-9) {
+    return std::nullopt;
+  }
+  const SlicePoint onLine = SlicePoint(-f * fx, -f * fy) / (steepest * steepest);
+  // The resected side (rising distance) lies at (fx, fy): with y down, that is on the right of the direction (fy, -fx).
+  const SlicePoint along(fy / steepest, -fx / steepest);
+  double from = -1e12;
+  double to = 1e12;
+  for (const auto& [start, step, size] :
+       {std::tuple{onLine.x(), along.x(), g.columns()}, std::tuple{onLine.y(), along.y(), g.rows()}}) {
+    if (std::abs(step) < 1e-12) {
+      if (start < -0.5 || start > size - 0.5) {
+        return std::nullopt;
+      }
+      continue;
+    }
+    const double a = (-0.5 - start) / step;
+    const double b = (size - 0.5 - start) / step;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  if (from >= to) {
+    return std::nullopt;
+  }
+  return std::pair{SlicePoint(onLine + from * along), SlicePoint(onLine + to * along)};
+}
+
+void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, const HalfSpace& plane,
+                   const QTransform& toWidget) {
+  const auto ends = planeLine(geometry, slice, plane);
+  if (!ends) {
+    return;
+  }
+  const QLineF line(toWidget.map(QPointF(ends->first.x(), ends->first.y())),
+                    toWidget.map(QPointF(ends->second.x(), ends->second.y())));
+  const double length = line.length();
+  if (length < 1) {
+    return;
+  }
+  const QPointF along = (line.p2() - line.p1()) / length;
+  const QPointF resected(-along.y(), along.x());  // right of the direction, with y down
+  QVector<QLineF> ticks;
+  const int tickCount = static_cast<int>(length / kTickDistance);
+  for (int n = 0; n < tickCount; ++n) {
+    const QPointF foot = line.p1() + (n + 0.5) * kTickDistance * along;
+    ticks.append(QLineF(foot, foot + kTickPixels * resected));
+  }
+  QPen edge(kDark, 4.0);
+  edge.setCapStyle(Qt::FlatCap);
+  painter.setPen(edge);
+  painter.drawLine(line);
+  painter.setPen(QPen(kDark, 3.0));
+  painter.drawLines(ticks);
+  QPen dashes(Qt::white, 1.8);
+  dashes.setCapStyle(Qt::FlatCap);
+  dashes.setDashPattern({6, 3});
+  painter.setPen(dashes);
+  painter.drawLine(line);
+  painter.setPen(QPen(Qt::white, 1.2));
+  painter.drawLines(ticks);
+}
+
+void drawCrosshair(QPainter& painter, const QPointF& at, const QSize& size, SliceAxis vertical, SliceAxis horizontal) {
+  const std::array<QLineF, 4> lines{
+      QLineF(at.x(), 0, at.x(), at.y() - kGapPixels), QLineF(at.x(), at.y() + kGapPixels, at.x(), size.height()),
+      QLineF(0, at.y(), at.x() - kGapPixels, at.y()), QLineF(at.x() + kGapPixels, at.y(), size.width(), at.y())};
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    QColor colour = viewColour(n < 2 ? vertical : horizontal);
+    colour.setAlpha(200);
+    painter.setPen(QPen(colour, 1.0));
+    painter.drawLine(lines[n]);
+  }
+}
+
+void drawEdgedText(QPainter& painter, const QRectF& box, int flags, const QString& text) {
+  painter.setPen(kDark);
+  for (const QPointF& offset : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)}) {
+    painter.drawText(box.translated(offset), flags, text);
+  }
+  painter.setPen(QColor(235, 235, 235));
+  painter.drawText(box, flags, text);
+}
+
+void drawLetters(QPainter& painter, const SliceGeometry& geometry, const QSize& size) {
+  const std::array<char, 4> letters = geometry.letters();
+  constexpr std::array<int, 4> kPlaces{Qt::AlignLeft | Qt::AlignVCenter, Qt::AlignRight | Qt::AlignVCenter,
+                                       Qt::AlignHCenter | Qt::AlignTop, Qt::AlignHCenter | Qt::AlignBottom};
+  QFont font = painter.font();
+  font.setBold(true);
+  font.setPointSizeF(font.pointSizeF() * 1.3);
+  painter.save();
+  painter.setFont(font);
+  const QRectF box = QRectF(QPointF(0, 0), QSizeF(size)).adjusted(6, 6, -6, -6);
+  for (std::size_t n = 0; n < 4; ++n) {
+    drawEdgedText(painter, box, kPlaces[n], QString(QLatin1Char(letters[n])));
+  }
+  painter.restore();
+}
+
+}  // namespace glisson

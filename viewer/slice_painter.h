@@ -1,0 +1,29 @@
+#pragma once
+// Purpose: how a slice view looks: colours of the views, crosshair, the plane's line, letters and texts. Drawn over the slice.
+
+#include <QColor>
+#include <QPainter>
+#include <QTransform>
+#include <optional>
+
+#include "reconstruction/mesh/cut.h"
+#include "viewer/slice_geometry.h"
+
+namespace glisson {
+
+/// The colour of a view (clinical.md): its frame, and its line in the other views.
+QColor viewColour(SliceAxis axis);
+
+/// Where the plane crosses the slice, inside the picture, as two slice points with the resected side on the right of first ->
+/// second as seen on the screen (y down); nothing where it does not.
+std::optional<std::pair<SlicePoint, SlicePoint>> planeLine(const SliceGeometry& geometry, int slice, const HalfSpace& plane);
+
+/// `toWidget` maps slice points to widget pixels.
+void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, const HalfSpace& plane, const QTransform& toWidget);
+/// Vertical line in the colour of `vertical`, horizontal line in that of `horizontal`, with a gap at the crossing.
+void drawCrosshair(QPainter& painter, const QPointF& at, const QSize& size, SliceAxis vertical, SliceAxis horizontal);
+void drawLetters(QPainter& painter, const SliceGeometry& geometry, const QSize& size);
+/// White text with a dark edge, readable on any grey.
+void drawEdgedText(QPainter& painter, const QRectF& box, int flags, const QString& text);
+
+}  // namespace glisson

@@ -1,0 +1,67 @@
+#pragma once
+// Purpose: one structure in the 3D view. The parenchyma is drawn as two actors that share its mesh, cut by the GPU at the plane:
+// the remnant in the structure's colour, the resected side pale and thinner. Frame: mm LPS.
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "planning/case/liver_model.h"
+#include "reconstruction/mesh/cut.h"
+
+class vtkActor;
+class vtkPlane;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+
+namespace glisson {
+
+/// The colour of the parenchyma's resected side for a structure of this colour.
+Rgb resectedColour(Rgb colour);
+
+class StructureActors {
+ public:
+  /// Uploads the mesh. `split`: the plane cuts this structure (the parenchyma).
+  StructureActors(vtkRenderer* renderer, std::shared_ptr<const Reconstruction> reconstruction, bool split);
+  ~StructureActors();
+  StructureActors(const StructureActors&) = delete;
+  StructureActors& operator=(const StructureActors&) = delete;
+
+  void setLook(Rgb colour, double opacity, bool visible);
+  void setPlane(const std::optional<HalfSpace>& plane);
+  /// The coarse stand-in instead of the mesh.
+  void setSimplified(bool simplified);
+
+  [[nodiscard]] const Reconstruction* source() const { return reconstruction_.get(); }
+  [[nodiscard]] const SurfaceMesh& mesh() const { return reconstruction_->mesh; }
+  [[nodiscard]] const SurfaceMesh& coarseMesh() const { return coarse_; }
+  [[nodiscard]] bool translucent() const { return visible_ && opacity_ < 1.0; }
+  [[nodiscard]] bool visible() const { return visible_; }
+
+ private:
+  /// The structure on one side of the plane.
+  struct Side {
+    vtkSmartPointer<vtkActor> actor;
+    vtkSmartPointer<vtkPolyDataMapper> full;
+    vtkSmartPointer<vtkPolyDataMapper> coarse;
+    vtkSmartPointer<vtkPlane> clip;
+  };
+  Side makeSide(vtkPolyData* full, vtkPolyData* coarse);
+  void apply();
+
+  vtkRenderer* renderer_;
+  std::shared_ptr<const Reconstruction> reconstruction_;
+  SurfaceMesh coarse_;
+  Side remnant_;
+  std::optional<Side> resected_;
+  Rgb colour_;
+  double opacity_ = 1;
+  bool visible_ = true;
+  bool cut_ = false;
+};
+
+}  // namespace glisson

@@ -1,0 +1,342 @@
+#include "viewer/vtk_widget.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
+#include <vtkRendererCollection.h>
+
+#include <QElapsedTimer>
+#include <QGuiApplication>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QSurfaceFormat>
+
+#include "viewer/vtk_scene.h"
+
+namespace glisson {
+
+namespace {
+
+constexpr int kRestingPeels = 4;
+constexpr int kPicturePeels = 32;
+
+/// Connects a VTK event of `object` to a function of a widget.
+void observe(vtkObject* object, unsigned long event, void* receiver, void (*call)(vtkObject*, unsigned long, void*, void*)) {
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(receiver);
+  command->SetCallback(call);
+  object->AddObserver(event, command);
+}
+
+}  // namespace
+
+void VtkWidget::Scene::touch() {
+  moving = true;
+  rest.start(kRestMs);
+}
+
+void VtkWidget::Scene::chooseTransparency(FrameQuality quality, bool anyTranslucent) {
+  const double expectedMs = peeledMs > 0 ? peeledMs : plainMs * kRestingPeels;
+  framePeels = anyTranslucent && (quality == FrameQuality::Picture ||
+                                  (quality == FrameQuality::Resting && plainMs > 0 && expectedMs <= kFrameBudgetMs));
+  renderer->SetUseDepthPeeling(framePeels);
+  renderer->SetMaximumNumberOfPeels(quality == FrameQuality::Picture ? kPicturePeels : kRestingPeels);
+  renderer->SetOcclusionRatio(0.0);
+  const bool quick = plainMs > 0 && plainMs < 0.5 * kFrameBudgetMs;
+  renderer->SetUseFXAA(quality == FrameQuality::Picture || (quality == FrameQuality::Resting && quick));
+}
+
+double VtkWidget::Scene::frameScale(FrameQuality quality) const {
+  return quality == FrameQuality::Moving && movingMs > 0.5 * kFrameBudgetMs ? 0.5 : 1.0;
+}
+
+bool VtkWidget::Scene::rememberFrameTime(FrameQuality quality, double scale, double ms) {
+  if (quality == FrameQuality::Picture || scale < 1.0) {
+    return false;
+  }
+  const bool movingFrame = quality == FrameQuality::Moving;
+  int& frames = movingFrame ? movingFrames : (framePeels ? peeledFrames : plainFrames);
+  double& kept = movingFrame ? movingMs : (framePeels ? peeledMs : plainMs);
+  ++frames;
+  if (frames >= 2) {
+    kept = std::max(ms, 0.1);
+  }
+  return !movingFrame && frames <= 2;
+}
+
+void VtkWidget::Scene::forgetFrameTimes() {
+  plainMs = peeledMs = movingMs = 0;
+  plainFrames = peeledFrames = movingFrames = 0;
+}
+
+VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_unique<Scene>()) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setMinimumSize(120, 90);
+  Scene& s = *scene_;
+  s.renderer->SetLayer(0);
+  s.overlay->SetLayer(1);
+  s.overlay->InteractiveOff();
+  s.overlay->SetActiveCamera(s.renderer->GetActiveCamera());
+  s.window->SetNumberOfLayers(2);
+  s.window->AddRenderer(s.renderer);
+  s.window->AddRenderer(s.overlay);
+  connectRenderWindow();
+
+  s.rest.setSingleShot(true);
+  connect(&s.rest, &QTimer::timeout, this, [this] {
+    if (scene_->plainMs > kFrameBudgetMs && QGuiApplication::mouseButtons() != Qt::NoButton) {
+      scene_->rest.start(kRestMs);  // a hand that pauses in a drag must not wait for a slow full frame
+      return;
+    }
+    scene_->moving = false;
+    update();
+  });
+}
+
+VtkWidget::~VtkWidget() {
+  if (context() != nullptr) {
+    disconnect(context(), nullptr, this, nullptr);
+    releaseGraphics();
+  }
+}
+
+void VtkWidget::connectRenderWindow() {
+  Scene& s = *scene_;
+  s.window->SetMultiSamples(0);  // depth peeling needs single samples
+  s.window->SetOwnContext(0);
+  s.window->SetFrameBlitModeToNoBlit();
+  s.window->SetSupportsOpenGL(1);
+  s.window->SetIsDirect(1);
+  // Not QOpenGLWidget::makeCurrent(): it rebinds the widget's own framebuffer in the middle of VTK's frame.
+  observe(s.window, vtkCommand::WindowMakeCurrentEvent, this, [](vtkObject*, unsigned long, void* receiver, void*) {
+    QOpenGLContext* context = static_cast<VtkWidget*>(receiver)->context();
+    if (context != nullptr) {
+      context->makeCurrent(context->surface());
+    }
+  });
+  observe(s.window, vtkCommand::WindowIsCurrentEvent, this, [](vtkObject*, unsigned long, void* receiver, void* answer) {
+    *static_cast<bool*>(answer) = static_cast<VtkWidget*>(receiver)->context() == QOpenGLContext::currentContext();
+  });
+
+  // The interactor never draws by itself: it asks, and Qt makes one frame of many requests.
+  s.interactor->EnableRenderOff();
+  s.interactor->SetRenderWindow(s.window);
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  style->SetDefaultRenderer(s.renderer);
+  s.interactor->SetInteractorStyle(style);
+  observe(s.interactor, vtkCommand::RenderEvent, this, [](vtkObject*, unsigned long, void* receiver, void*) {
+    auto* widget = static_cast<VtkWidget*>(receiver);
+    widget->scene_->cameraByHand = true;
+    widget->scene_->touch();
+    widget->requestRender();
+  });
+  s.interactor->Initialize();
+}
+
+void VtkWidget::prepareSurfaceFormat() {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  format.setAlphaBufferSize(8);
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+void VtkWidget::requestRender() { update(); }
+
+VtkWidget::Scene& VtkWidget::scene() { return *scene_; }
+
+void VtkWidget::initializeGL() {
+  // A widget that moves to another window gets a new context: what VTK uploaded belongs to the old one.
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::releaseGraphics, Qt::DirectConnection);
+  scene_->window->SetReadyForRendering(true);
+  scene_->window->OpenGLInitContext();
+  scene_->forgetFrameTimes();
+}
+
+void VtkWidget::releaseGraphics() {
+  makeCurrent();
+  scene_->window->Finalize();
+  scene_->window->SetReadyForRendering(false);
+  doneCurrent();
+}
+
+void VtkWidget::resizeGL(int /*width*/, int /*height*/) { scene_->forgetFrameTimes(); }
+
+void VtkWidget::paintGL() {
+  Scene& s = *scene_;
+  const double ratio = devicePixelRatioF();
+  const QSize pixels(qRound(width() * ratio), qRound(height() * ratio));
+  s.interactor->UpdateSize(pixels.width(), pixels.height());
+  const FrameQuality quality = s.picture ? FrameQuality::Picture : (s.moving ? FrameQuality::Moving : FrameQuality::Resting);
+  const double scale = s.frameScale(quality);
+  s.window->SetDPI(qRound(72 * ratio * scale));
+  if (s.beforeFrame) {
+    s.beforeFrame(quality);
+  }
+  vtkOpenGLState* state = s.window->GetState();
+  state->Reset();
+  state->Push();
+  QElapsedTimer clock;
+  clock.start();
+  s.window->SetSize(qRound(pixels.width() * scale), qRound(pixels.height() * scale));
+  s.window->Render();
+  context()->functions()->glFinish();  // a software renderer works behind our back: what a frame costs is known only now
+  const double ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+  copyToWidget(pixels);
+  state->Pop();
+  s.window->SetSize(pixels.width(), pixels.height());  // the interactor measures the mouse against it
+  if (s.rememberFrameTime(quality, scale, ms)) {
+    s.rest.start(kRestMs);
+  }
+}
+
+void VtkWidget::copyToWidget(const QSize& pixels) {
+  vtkGenericOpenGLRenderWindow* window = scene_->window;
+  vtkOpenGLFramebufferObject* display = window->GetDisplayFramebuffer();
+  if (display == nullptr) {
+    return;
+  }
+  const int* size = window->GetSize();
+  QOpenGLExtraFunctions* gl = context()->extraFunctions();
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  display->Bind(GL_READ_FRAMEBUFFER);
+  display->ActivateReadBuffer(0);
+  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+  gl->glDisable(GL_SCISSOR_TEST);
+  const bool sameSize = pixels == QSize(size[0], size[1]);
+  gl->glBlitFramebuffer(0, 0, size[0], size[1], 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT,
+                        sameSize ? GL_NEAREST : GL_LINEAR);
+  // Qt composes the widget with its alpha; what VTK left there would let the window shine through.
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl->glClearColor(0, 0, 0, 1);
+  gl->glClear(GL_COLOR_BUFFER_BIT);
+  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->PopFramebufferBindings();
+  state->Reset();
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+}
+
+void VtkWidget::placePointer(const QPointF& position, Qt::KeyboardModifiers modifiers, int repeat) {
+  const double ratio = devicePixelRatioF();
+  scene_->interactor->SetEventInformationFlipY(qRound(position.x() * ratio), qRound(position.y() * ratio),
+                                               modifiers.testFlag(Qt::ControlModifier) ? 1 : 0,
+                                               modifiers.testFlag(Qt::ShiftModifier) ? 1 : 0, 0, repeat, nullptr);
+}
+
+bool VtkWidget::event(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::Enter:
+      scene_->interactor->InvokeEvent(vtkCommand::EnterEvent, nullptr);
+      break;
+    case QEvent::Leave:
+      scene_->interactor->InvokeEvent(vtkCommand::LeaveEvent, nullptr);
+      break;
+    case QEvent::ShortcutOverride:
+      // 1, 3, 7 and the plane's keys belong to the view that has the focus.
+      if (static_cast<QKeyEvent*>(event)->modifiers() == Qt::NoModifier) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_1 || key == Qt::Key_3 || key == Qt::Key_7 || key == Qt::Key_Plus || key == Qt::Key_Minus) {
+          event->accept();
+          return true;
+        }
+      }
+      break;
+    case QEvent::NativeGesture: {
+      auto* gesture = static_cast<QNativeGestureEvent*>(event);
+      if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+        scene_->renderer->GetActiveCamera()->Dolly(std::clamp(1.0 + gesture->value(), 0.5, 2.0));
+        scene_->cameraByHand = true;
+        scene_->touch();
+        requestRender();
+        return true;
+      }
+      break;
+    }
+    default:
+      break;
+  }
+  return QOpenGLWidget::event(event);
+}
+
+void VtkWidget::mousePressEvent(QMouseEvent* event) {
+  placePointer(event->position(), event->modifiers(), event->type() == QEvent::MouseButtonDblClick ? 1 : 0);
+  switch (event->button()) {
+    case Qt::LeftButton:
+      scene_->interactor->LeftButtonPressEvent();
+      break;
+    case Qt::MiddleButton:
+      scene_->interactor->MiddleButtonPressEvent();
+      break;
+    case Qt::RightButton:
+      scene_->interactor->RightButtonPressEvent();
+      break;
+    default:
+      break;
+  }
+  event->accept();
+}
+
+void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
+  placePointer(event->position(), event->modifiers(), 0);
+  scene_->interactor->MouseMoveEvent();
+  event->accept();
+}
+
+void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
+  placePointer(event->position(), event->modifiers(), 0);
+  switch (event->button()) {
+    case Qt::LeftButton:
+      scene_->interactor->LeftButtonReleaseEvent();
+      break;
+    case Qt::MiddleButton:
+      scene_->interactor->MiddleButtonReleaseEvent();
+      break;
+    case Qt::RightButton:
+      scene_->interactor->RightButtonReleaseEvent();
+      break;
+    default:
+      break;
+  }
+  event->accept();
+}
+
+void VtkWidget::wheelEvent(QWheelEvent* event) {
+  const int delta = event->angleDelta().y();
+  if (delta != 0) {
+    // One notch is 120; a touch pad sends many small parts of it, so the factor follows the angle (1.1 per notch).
+    scene_->renderer->GetActiveCamera()->Dolly(std::pow(1.1, std::clamp(delta, -960, 960) / 120.0));
+    scene_->cameraByHand = true;
+    scene_->touch();
+    requestRender();
+  }
+  event->accept();
+}
+
+void VtkWidget::keyPressEvent(QKeyEvent* event) {
+  // No CharEvent: VTK's styles answer letters with wireframe, stereo or the end of the program.
+  const QByteArray text = event->text().toLatin1();
+  scene_->interactor->SetKeyEventInformation(event->modifiers().testFlag(Qt::ControlModifier) ? 1 : 0,
+                                             event->modifiers().testFlag(Qt::ShiftModifier) ? 1 : 0,
+                                             text.isEmpty() ? '\0' : text[0], event->count(), nullptr);
+  scene_->interactor->KeyPressEvent();
+  QOpenGLWidget::keyPressEvent(event);
+}
+
+void VtkWidget::keyReleaseEvent(QKeyEvent* event) {
+  scene_->interactor->KeyReleaseEvent();
+  QOpenGLWidget::keyReleaseEvent(event);
+}
+
+}  // namespace glisson

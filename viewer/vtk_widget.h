@@ -1,0 +1,45 @@
+#pragma once
+// Purpose: VTK 9.1 inside a Qt 6 QOpenGLWidget (Debian's QVTK is Qt 5 only). Translates Qt's mouse, wheel, key and resize events to
+// the VTK interactor, in device pixels. VTK types stay out of this header. While something moves, frames are drawn without depth
+// peeling; the resting frame follows 150 ms later.
+
+#include <QOpenGLWidget>
+#include <memory>
+
+namespace glisson {
+
+class VtkWidget : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  explicit VtkWidget(QWidget* parent = nullptr);
+  ~VtkWidget() override;
+
+  /// Sets the default QSurfaceFormat VTK needs (core 3.2, depth 24, stencil 8). Call before QApplication is made.
+  static void prepareSurfaceFormat();
+  /// Draws again soon; several calls make one frame.
+  void requestRender();
+
+ protected:
+  struct Scene;  ///< render window, renderer, interactor (viewer/vtk_scene.h, VTK types)
+  [[nodiscard]] Scene& scene();
+  void initializeGL() override;
+  void paintGL() override;
+  void resizeGL(int width, int height) override;
+  bool event(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+
+ private:
+  void releaseGraphics();
+  void connectRenderWindow();
+  void copyToWidget(const QSize& pixels);
+  void placePointer(const QPointF& position, Qt::KeyboardModifiers modifiers, int repeat);
+
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace glisson
