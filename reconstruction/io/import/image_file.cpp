@@ -1,9 +1,13 @@
 #include "reconstruction/io/import/image_file.h"
 
+#include <zlib.h>
+
 #include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <span>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/text.h"
@@ -13,7 +17,7 @@ namespace glisson::import {
 namespace {
 constexpr std::array kEndings{".nii.gz", ".nii", ".seg.nrrd", ".nrrd", ".nhdr", ".mha", ".mhd"};
 
-void swapBytes(std::vector<std::uint8_t>& bytes, std::size_t width) {
+void swapBytes(std::span<std::uint8_t> bytes, std::size_t width) {
   for (std::size_t n = 0; n + width <= bytes.size(); n += width) {
     std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(n), bytes.begin() + static_cast<std::ptrdiff_t>(n + width));
   }
@@ -86,7 +90,8 @@ void requireBudget(const std::string& name, const std::array<double, 3>& sizes, 
   }
 }
 
-void setSteps(const std::string& name, const Mat3& steps, ImageGeometry& geometry, std::vector<std::string>& notes) {
+void setSteps(const std::string& name, const Mat3& steps, ImageFile& file) {
+  ImageGeometry& geometry = file.geometry;
   if (!steps.allFinite() || !geometry.origin.allFinite()) {
     throw InputError(name + " has a position or direction in its header that is not a finite number; export it again.");
   }
@@ -107,40 +112,139 @@ void setSteps(const std::string& name, const Mat3& steps, ImageGeometry& geometr
     }
     worst = std::max(worst, ((geometry.direction - nearest) * geometry.spacing.cwiseProduct(index)).norm());
   }
-  if (!(worst <= 0.1)) {
+  if (!(worst <= kSamePlaceMm)) {
     throw InputError(name + " has axes that are not at right angles (" + formatNumber(worst, 2) +
                      " mm at the corners); resample it to a straight grid first.");
   }
   geometry.direction = nearest;
+  file.ambiguityMm += worst;
   if (worst > kSameGridMm) {
-    notes.push_back("The axes were set at right angles (" + formatNumber(worst, 3) + " mm at the corners).");
+    file.notes.push_back("The axes were set at right angles (" + formatNumber(worst, 3) + " mm at the corners).");
   }
 }
 
-void readValues(const std::string& name, ByteSource& source, ImageFile& file, Extent extent) {
+namespace {
+[[noreturn]] void refuseCutOff(const std::string& name, const std::string& found, std::size_t expected) {
+  throw InputError(name + " is cut off: it holds " + found + " of the " + std::to_string(expected) +
+                   " bytes of voxels its header promises; copy or export it again.");
+}
+
+template <typename T>
+bool allFinite(std::span<const std::uint8_t> bytes) {
+  for (std::size_t n = 0; n + sizeof(T) <= bytes.size(); n += sizeof(T)) {
+    T value{};
+    std::memcpy(&value, &bytes[n], sizeof(T));
+    if (!std::isfinite(value)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+constexpr std::size_t kPieceBytes = std::size_t{1} << 20;
+
+/// Reads the source to its end, piece by piece, and returns the checksum of the values in native byte order. ITK sets what is not
+/// finite to zero without a word, so that is looked for here.
+unsigned long verifyValues(const std::string& name, ByteSource& source, const ImageFile& file) {
   const std::size_t width = bytesOf(file.scalar);
   const std::size_t expected = file.valueCount() * width;
-  const auto cutOff = [&](const std::string& found) {
-    throw InputError(name + " is cut off: it holds " + found + " of the " + std::to_string(expected) +
-                     " bytes of voxels its header promises; copy or export it again.");
-  };
-  if (source.mostBytesLeft() < expected) {
-    cutOff("at most " + std::to_string(source.mostBytesLeft()));
-  }
-  constexpr std::size_t kPeekBytes = std::size_t{1} << 20;
-  const std::size_t wanted = extent == Extent::Peek ? std::min(expected, kPeekBytes) : expected;
-  file.bytes.resize(wanted);
-  const std::size_t found = source.read(file.bytes.data(), wanted);
-  if (found < wanted) {
-    cutOff(std::to_string(found));
+  std::vector<std::uint8_t> buffer(std::min(expected, kPieceBytes));
+  unsigned long checksum = adler32_z(0, nullptr, 0);
+  for (std::size_t done = 0; done < expected;) {
+    const std::span piece = std::span(buffer).first(std::min(expected - done, buffer.size()));
+    const std::size_t found = source.read(piece.data(), piece.size());
+    if (found < piece.size()) {
+      refuseCutOff(name, std::to_string(done + found), expected);
+    }
+    if (file.bigEndian) {
+      swapBytes(piece, width);
+    }
+    if ((file.scalar == Scalar::F32 && !allFinite<float>(piece)) || (file.scalar == Scalar::F64 && !allFinite<double>(piece))) {
+      throw InputError(name + " holds voxels that are not finite numbers; export it again.");
+    }
+    checksum = adler32_z(checksum, piece.data(), piece.size());
+    done += piece.size();
   }
   std::uint8_t extra = 0;
-  if (extent == Extent::Whole && source.read(&extra, 1) != 0) {
+  if (source.read(&extra, 1) != 0) {
     throw InputError(name + " holds more than the " + std::to_string(expected) +
                      " bytes of voxels its header promises; copy or export it again.");
   }
-  if (file.bigEndian) {
-    swapBytes(file.bytes, width);
+  return checksum;
+}
+
+/// How far a corner lies from where ITK sees it (mm). A header without a place tells the size of a voxel still.
+double apartFromItk(const ImageGeometry& ours, const ItkHeader& header) {
+  ImageGeometry theirs = ours;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto column = static_cast<Eigen::Index>(a);
+    theirs.spacing[column] = header.spacing[a];
+    if (header.placed) {
+      theirs.origin[column] = header.origin[a];
+      theirs.direction.col(column) = Vec3(header.axes[a][0], header.axes[a][1], header.axes[a][2]);
+    }
+  }
+  return ours.cornerDistance(theirs);
+}
+
+/// A second reading of the same header, by other code: where the two differ, one of them would mirror or shift the patient.
+void requireAgreement(const ItkInput& itk, const ImageFile& file, const ItkHeader& header) {
+  const auto refuse = [&](const std::string& fact) {
+    throw InputError(itk.file.name + " has a header that ITK reads otherwise: " + fact + "; export it again.");
+  };
+  const auto text = [](const auto& sizes) {
+    std::string joined;
+    for (const auto size : sizes) {
+      joined += (joined.empty() ? "" : "x") + std::to_string(size);
+    }
+    return joined;
+  };
+  if (!std::ranges::equal(header.sizes, file.geometry.size, {}, {}, [](int size) { return static_cast<std::size_t>(size); })) {
+    refuse(text(header.sizes) + " voxels instead of " + text(file.geometry.size));
+  }
+  if (header.valuesPerVoxel != static_cast<std::size_t>(file.layers)) {
+    refuse(std::to_string(header.valuesPerVoxel) + " values per voxel instead of " + std::to_string(file.layers));
+  }
+  if (header.scalar != file.scalar) {
+    refuse("voxels of another type");
+  }
+  if (!itk.judgesPlace) {
+    return;
+  }
+  const double apart = apartFromItk(file.geometry, header);
+  if (!(apart <= kSamePlaceMm + file.ambiguityMm)) {
+    const std::string fact = "a corner lies " + (std::isfinite(apart) ? formatNumber(apart, 2) + " mm" : "far") + " from ours";
+    if (itk.file.format == ItkFormat::Nifti) {
+      throw InputError(itk.file.name + " has a header that ITK reads otherwise: " + fact +
+                       ", as a voxel size (pixdim) unlike the sform makes it do; choose with --prefer sform or --prefer qform.");
+    }
+    refuse(fact);
+  }
+}
+}  // namespace
+
+void readValues(const std::string& name, ByteSource& source, const ItkInput& itk, ImageFile& file, Extent extent) {
+  const std::size_t width = bytesOf(file.scalar);
+  const std::size_t expected = file.valueCount() * width;
+  if (source.mostBytesLeft() < expected) {
+    refuseCutOff(name, "at most " + std::to_string(source.mostBytesLeft()), expected);
+  }
+  if (extent == Extent::Peek) {
+    file.bytes.resize(std::min(expected, kPieceBytes));
+    const std::size_t found = source.read(file.bytes.data(), file.bytes.size());
+    if (found < file.bytes.size()) {
+      refuseCutOff(name, std::to_string(found), expected);
+    }
+    if (file.bigEndian) {
+      swapBytes(file.bytes, width);
+    }
+    return;
+  }
+  const unsigned long checksum = verifyValues(name, source, file);
+  file.bytes = decodeWithItk(itk.file, [&](const ItkHeader& header) { requireAgreement(itk, file, header); });
+  if (file.bytes.size() != expected ||
+      (!itk.reorders && adler32_z(adler32_z(0, nullptr, 0), file.bytes.data(), expected) != checksum)) {
+    throw InputError(itk.file.name + " holds other voxels than ITK finds in it; export it again.");
   }
 }
 

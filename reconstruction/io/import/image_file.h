@@ -1,6 +1,8 @@
 #pragma once
-// Purpose: one image of a file format of its own (NIfTI, NRRD, MetaImage) after its header, byte count and checksum have been
-// verified. World frame LPS mm: the readers turn RAS and LAS round here, once.
+// Purpose: one image of a file format of its own (NIfTI, NRRD, MetaImage). Its header, byte count and checksum are verified here;
+// then ITK decodes the voxels. World frame LPS mm: the readers turn RAS and LAS round here, once.
+// Two tolerances: a file that contradicts itself or ITK about its place by more than 0.1 mm at a corner is refused; labels lie on
+// the CT's grid to 0.01 mm (kSameGridMm).
 
 #include <cstdint>
 #include <filesystem>
@@ -12,12 +14,14 @@
 #include "reconstruction/image/image_geometry.h"
 #include "reconstruction/image/structure_kind.h"
 #include "reconstruction/io/import/byte_source.h"
+#include "reconstruction/io/import/itk_values.h"
+#include "reconstruction/io/import/scalar.h"
 #include "reconstruction/io/read.h"
 
 namespace glisson::import {
 
-enum class Scalar : std::uint8_t { U8, I8, U16, I16, U32, I32, U64, I64, F32, F64 };
-std::size_t bytesOf(Scalar scalar);
+/// Two statements about a file's place that are this close at the corners are one.
+inline constexpr double kSamePlaceMm = 0.1;
 
 /// A segment of a .seg.nrrd.
 struct Segment {
@@ -31,10 +35,10 @@ struct ImageFile {
   ImageGeometry geometry;
   Scalar scalar = Scalar::U8;
   bool bigEndian = false;
-  int layers = 1;             ///< of a .seg.nrrd's list axis
-  bool layersFastest = true;  ///< else they are the slowest axis
+  int layers = 1;  ///< of a .seg.nrrd's list axis; the layers of one voxel lie side by side
   double slope = 1;
   double intercept = 0;
+  double ambiguityMm = 0;                 ///< the header leaves open where a corner lies: skewed axes, two forms
   std::vector<std::uint8_t> bytes;        ///< voxels x layers, native byte order
   std::map<int, std::string> labelNames;  ///< embedded in the file
   std::vector<Segment> segments;
@@ -63,9 +67,16 @@ void requireBudget(const std::string& name, const std::array<double, 3>& sizes, 
                    const ReadOptions& options);
 /// Splits one-voxel steps (columns, mm) into spacing and an orthonormal direction. A skew of at most 0.1 mm at the far corner is
 /// snapped (with a note above 0.01 mm), more is refused.
-void setSteps(const std::string& name, const Mat3& steps, ImageGeometry& geometry, std::vector<std::string>& notes);
-/// Fills file.bytes from the source: exactly valueCount() values and nothing behind them, in native byte order.
-void readValues(const std::string& name, ByteSource& source, ImageFile& file, Extent extent);
+void setSteps(const std::string& name, const Mat3& steps, ImageFile& file);
+/// What is known about ITK's reading of a file.
+struct ItkInput {
+  ItkFile file;
+  bool judgesPlace = true;  ///< false where ITK is known to misread the place
+  bool reorders = false;    ///< ITK puts the values in another order than the file
+};
+/// Fills file.bytes. Whole: the source, named `name`, is read to its end first and must hold exactly valueCount() finite values;
+/// then ITK decodes them, and its header and values must be the same as ours. Peek: the source's first values, by ourselves.
+void readValues(const std::string& name, ByteSource& source, const ItkInput& itk, ImageFile& file, Extent extent);
 /// A file beside `header` named by it. Throws where the name leaves the folder.
 std::filesystem::path besideHeader(const std::filesystem::path& header, const std::string& dataFile);
 

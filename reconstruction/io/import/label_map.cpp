@@ -17,8 +17,8 @@ constexpr std::size_t kMostLabels = 1024;
 template <typename T>
 std::vector<std::int32_t> layerLabels(const std::string& name, const ImageFile& file, int layer) {
   const std::size_t voxels = file.geometry.voxelCount();
-  const std::size_t step = file.layersFastest ? static_cast<std::size_t>(file.layers) : 1;
-  const std::size_t first = file.layersFastest ? static_cast<std::size_t>(layer) : static_cast<std::size_t>(layer) * voxels;
+  const auto step = static_cast<std::size_t>(file.layers);
+  const auto first = static_cast<std::size_t>(layer);
   const bool plain = file.slope == 1 && file.intercept == 0;
   std::vector<std::int32_t> labels(voxels);
   for (std::size_t n = 0; n < voxels; ++n) {

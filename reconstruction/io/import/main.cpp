@@ -12,6 +12,7 @@
 #include <clocale>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <new>
 
 #include "reconstruction/errors.h"
@@ -76,6 +77,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   limitSelf(argv[3], argv[4]);
+  setenv("TMPDIR", std::filesystem::absolute(argv[2]).parent_path().c_str(),
+         1);                      // what is left there goes with the parent's folder
+  unsetenv("ITK_AUTOLOAD_PATH");  // no decoders from elsewhere
   static_cast<void>(std::setlocale(LC_ALL, "C"));
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   try {

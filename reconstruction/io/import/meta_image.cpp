@@ -7,6 +7,7 @@
 
 #include "reconstruction/errors.h"
 #include "reconstruction/io/import/image_file.h"
+#include "reconstruction/io/import/itk_folder.h"
 #include "reconstruction/io/import/text_header.h"
 #include "reconstruction/text.h"
 
@@ -51,7 +52,15 @@ std::string field(const MetaHeader& header, std::initializer_list<const char*> k
   return otherwise;
 }
 
+constexpr std::initializer_list<const char*> kPosition{"offset", "position", "origin"};
+constexpr std::initializer_list<const char*> kMatrix{"transformmatrix", "rotation", "orientation"};
+constexpr std::initializer_list<const char*> kSpacing{"elementspacing", "elementsize"};
+
 bool isTrue(const std::string& text) { return !text.empty() && (text[0] == 'T' || text[0] == 't' || text[0] == '1'); }
+
+bool isBigEndian(const MetaHeader& header) {
+  return isTrue(field(header, {"elementbyteordermsb", "binarydatabyteordermsb"}, "False"));
+}
 
 Scalar scalarOf(const std::string& name, const std::string& type) {
   static const std::map<std::string, Scalar> kTypes{
@@ -84,9 +93,9 @@ void setGrid(const std::string& name, const MetaHeader& header, const ReadOption
   for (std::size_t a = 0; a < 3; ++a) {
     file.geometry.size[a] = static_cast<int>(sizes[a]);
   }
-  const std::string positionText = field(header, {"offset", "position", "origin"}, "");
-  const std::string matrixText = field(header, {"transformmatrix", "rotation", "orientation"}, "");
-  const std::string spacingText = field(header, {"elementspacing", "elementsize"}, "");
+  const std::string positionText = field(header, kPosition, "");
+  const std::string matrixText = field(header, kMatrix, "");
+  const std::string spacingText = field(header, kSpacing, "");
   if (positionText.empty() || matrixText.empty() || spacingText.empty()) {
     throw InputError(name +
                      " says nowhere how it lies in the patient (Offset, TransformMatrix, ElementSpacing); export it again with "
@@ -108,7 +117,27 @@ void setGrid(const std::string& name, const MetaHeader& header, const ReadOption
     steps.col(static_cast<Eigen::Index>(axis)) = direction.normalized() * spacing[axis];
   }
   file.geometry.origin = Vec3(position[0], position[1], position[2]);
-  setSteps(name, steps, file.geometry, file.notes);
+  setSteps(name, steps, file);
+}
+
+/// The lines that say where and what the voxels are, word for word, in front of a link to them.
+ItkFile headerForItk(const std::string& name, const ItkFolder& folder, const MetaHeader& header, const std::filesystem::path& data,
+                     std::uint64_t offset) {
+  const auto truth = [](bool value) { return std::string(value ? "True" : "False"); };
+  const bool compressed = isTrue(field(header, {"compresseddata"}, "False"));
+  std::string text = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = " + truth(isBigEndian(header)) +
+                     "\nCompressedData = " + truth(compressed);
+  if (compressed) {
+    text += "\nCompressedDataSize = " + std::to_string(std::filesystem::file_size(data) - offset);
+  }
+  text += "\nTransformMatrix = " + field(header, kMatrix, "") + "\nOffset = " + field(header, kPosition, "") +
+          "\nElementSpacing = " + field(header, kSpacing, "") + "\nDimSize = " + field(header, {"dimsize"}, "");
+  if (offset > 0) {
+    text += "\nHeaderSize = " + std::to_string(offset);
+  }
+  text += "\nElementType = " + field(header, {"elementtype"}, "") + "\nElementDataFile = voxels\n";
+  folder.link("voxels", data);
+  return {ItkFormat::MetaImage, name, folder.write("header.mhd", text), {}};
 }
 }  // namespace
 
@@ -121,7 +150,7 @@ ImageFile readMetaImage(const std::filesystem::path& path, const ReadOptions& op
   ImageFile file;
   file.scalar = scalarOf(name, field(header, {"elementtype"}, ""));
   setGrid(name, header, options, file);
-  file.bigEndian = isTrue(field(header, {"elementbyteordermsb", "binarydatabyteordermsb"}, "False"));
+  file.bigEndian = isBigEndian(header);
   if (!isTrue(field(header, {"binarydata"}, "True")) || field(header, {"headersize"}, "0") != "0") {
     throw InputError(name + " stores its voxels as text or behind a foreign header, which is not read; save it as one .mha file.");
   }
@@ -132,8 +161,10 @@ ImageFile readMetaImage(const std::filesystem::path& path, const ReadOptions& op
     throw InputError(name + " spreads its slices over several files, which is not read; save it as one .mha file.");
   }
   const std::filesystem::path dataPath = local ? path : besideHeader(path, data);
-  ByteSource source(dataPath, local ? header.offset : 0, compressed ? Coding::Zlib : Coding::Raw);
-  readValues(dataPath.string(), source, file, extent);
+  const std::uint64_t offset = local ? header.offset : 0;
+  ByteSource source(dataPath, offset, compressed ? Coding::Zlib : Coding::Raw);
+  const ItkFolder folder(path);
+  readValues(dataPath.string(), source, {headerForItk(name, folder, header, dataPath, offset)}, file, extent);
   return file;
 }
 

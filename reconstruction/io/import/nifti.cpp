@@ -1,5 +1,5 @@
 // NIfTI-1 (.nii, .nii.gz). Source: nifti1.h, "NIFTI-1 Data Format", https://nifti.nimh.nih.gov/pub/dist/src/niftilib/nifti1.h.
-// World there is RAS; it is turned to LPS here.
+// World there is RAS; it is turned to LPS here. sform and qform are taken for one place where they agree to 0.1 mm.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,12 +11,14 @@
 
 #include "reconstruction/errors.h"
 #include "reconstruction/io/import/image_file.h"
+#include "reconstruction/io/import/itk_folder.h"
 #include "reconstruction/text.h"
 
 namespace glisson::import {
 
 namespace {
 constexpr std::size_t kHeaderBytes = 348;
+using HeaderBytes = std::array<std::uint8_t, kHeaderBytes>;
 
 class Header {
  public:
@@ -49,10 +51,10 @@ class Header {
   [[nodiscard]] int dim(std::size_t n) const { return at<std::int16_t>(40 + 2 * n); }
   [[nodiscard]] double pixdim(std::size_t n) const { return real(76 + 4 * n); }
   [[nodiscard]] bool swapped() const { return swapped_; }
-  [[nodiscard]] std::uint8_t byte(std::size_t offset) const { return bytes_[offset]; }
+  [[nodiscard]] const HeaderBytes& bytes() const { return bytes_; }
 
  private:
-  std::array<std::uint8_t, kHeaderBytes> bytes_{};
+  HeaderBytes bytes_{};
   bool swapped_ = false;
 };
 
@@ -88,6 +90,7 @@ void requireOneVolume(const std::string& name, const Header& header) {
 struct Frame {
   Mat3 steps = Mat3::Identity();
   Vec3 origin = Vec3::Zero();
+  double apartMm = 0;  ///< from the file's other form
 };
 
 Frame sformOf(const Header& header) {
@@ -133,9 +136,6 @@ double cornerDistance(const Frame& a, const Frame& b, const Index3& size) {
   return worst;
 }
 
-/// reliability.md: sform and qform apart by more than this must be chosen between.
-constexpr double kFrameToleranceMm = 0.1;
-
 /// A form that holds NaN cannot be compared with the other one, so each that may be used is checked by itself first.
 void requireFinite(const std::string& name, const Header& header, bool takesS, bool takesQ) {
   const auto refuse = [&](const std::string& fact) {
@@ -173,18 +173,19 @@ Frame chooseFrame(const std::string& name, const Header& header, double unit, co
   if (options.niftiFrame == NiftiFrame::QForm && hasQ) {
     return qformOf(header);
   }
+  Frame frame = hasS ? sformOf(header) : qformOf(header);
   if (hasQ && hasS) {
-    const double apart = cornerDistance(sformOf(header), qformOf(header), size) * unit;
-    if (!(apart <= kFrameToleranceMm)) {
-      throw InputError(name + " lies in two places: its sform and qform are " + formatNumber(apart, 2) +
+    frame.apartMm = cornerDistance(frame, qformOf(header), size) * unit;
+    if (!(frame.apartMm <= kSamePlaceMm)) {
+      throw InputError(name + " lies in two places: its sform and qform are " + formatNumber(frame.apartMm, 2) +
                        " mm apart; choose with --prefer sform or --prefer qform.");
     }
   }
-  return hasS ? sformOf(header) : qformOf(header);
+  return frame;
 }
 
 double unitInMm(const Header& header) {
-  switch (header.byte(123) & 7) {
+  switch (header.bytes()[123] & 7) {
     case 1:
       return 1000;
     case 3:
@@ -222,6 +223,27 @@ std::map<int, std::string> labelNamesIn(const std::string& extension) {
   }
   return names;
 }
+
+/// A header-and-image pair for ITK, whatever the file's name (niftilib refuses .Nii), extensions and intent. The slope is taken
+/// out: ITK would turn every scaled value to a float and obeys an intercept whose slope is zero.
+ItkFile pairForItk(const std::string& name, const ItkFolder& folder, bool compressed, HeaderBytes header) {
+  constexpr std::size_t kIntentCode = 68;
+  constexpr std::size_t kSlopeAndIntercept = 112;
+  constexpr std::size_t kFormCodes = 252;
+  constexpr std::size_t kMagic = 344;
+  std::fill_n(&header[kIntentCode], 2, std::uint8_t{0});
+  std::fill_n(&header[kSlopeAndIntercept], 8, std::uint8_t{0});
+  std::memcpy(&header[kMagic], "ni1", 4);
+  const auto write = [&](const std::string& pair) {
+    folder.link(pair + (compressed ? ".img.gz" : ".img"), name);
+    return folder.write(pair + ".hdr", {reinterpret_cast<const char*>(header.data()), header.size()});
+  };
+  ItkFile file{ItkFormat::Nifti, name, write("placed"), {}};
+  std::fill_n(&header[kFormCodes], 4, std::uint8_t{0});
+  file.placeless = write("placeless");
+  return file;
+}
+
 }  // namespace
 
 ImageFile readNifti(const std::filesystem::path& path, const ReadOptions& options, Extent extent) {
@@ -240,7 +262,8 @@ ImageFile readNifti(const std::filesystem::path& path, const ReadOptions& option
   const Frame frame = chooseFrame(name, header, unit, file.geometry.size, options);
   const Vec3 rasToLps(-1, -1, 1);
   file.geometry.origin = rasToLps.cwiseProduct(frame.origin) * unit;
-  setSteps(name, rasToLps.asDiagonal() * frame.steps * unit, file.geometry, file.notes);
+  setSteps(name, rasToLps.asDiagonal() * frame.steps * unit, file);
+  file.ambiguityMm += frame.apartMm;
 
   const double slope = header.real(112);
   const double intercept = header.real(116);
@@ -258,7 +281,15 @@ ImageFile readNifti(const std::filesystem::path& path, const ReadOptions& option
     throw InputError(name + " is cut off before its voxels; copy or export it again.");
   }
   file.labelNames = labelNamesIn(extension);
-  readValues(name, source, file, extent);
+  const ItkFolder folder(path);
+  ItkInput itk{pairForItk(name, folder, compressed, header.bytes())};
+  // ITK never takes an origin in metres for what it is, has its own way of choosing between the forms, and aborts on NaN in a form
+  // that nobody wants. It also gives up on most oblique sforms without a qform; then it reads the placeless pair by itself.
+  itk.judgesPlace = options.niftiFrame == NiftiFrame::Agreeing && unit == 1;
+  if (!itk.judgesPlace) {
+    itk.file.path = itk.file.placeless;
+  }
+  readValues(name, source, itk, file, extent);
   return file;
 }
 

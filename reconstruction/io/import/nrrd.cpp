@@ -9,6 +9,7 @@
 
 #include "reconstruction/errors.h"
 #include "reconstruction/io/import/image_file.h"
+#include "reconstruction/io/import/itk_folder.h"
 #include "reconstruction/io/import/text_header.h"
 #include "reconstruction/text.h"
 
@@ -21,6 +22,7 @@ struct NrrdHeader {
   Fields fields;  ///< "key: value", keys in lower case without blanks
   Fields values;  ///< "key:=value"
   std::uint64_t offset = 0;
+  std::size_t lines = 0;
 };
 
 std::string fieldKey(std::string_view key) {
@@ -48,6 +50,7 @@ NrrdHeader parseHeader(const std::filesystem::path& path) {
   }
   NrrdHeader header;
   header.offset = text.offset;
+  header.lines = text.lines.size();
   for (const std::string& line : text.lines) {
     const std::size_t colon = line.find(':');
     if (line.starts_with('#') || colon == std::string::npos) {
@@ -162,8 +165,8 @@ Vec3 vectorOf(const std::string& name, const std::string& field, std::string tex
   return {values[0], values[1], values[2]};
 }
 
-/// Sizes, geometry and layers. The layer axis is the one without a direction.
-void setGrid(const std::string& name, const NrrdHeader& header, const ReadOptions& options, ImageFile& file) {
+/// Sizes, geometry and layers. The layer axis is the one without a direction; ITK puts it first where it comes last.
+void setGrid(const std::string& name, const NrrdHeader& header, const ReadOptions& options, ImageFile& file, ItkInput& itk) {
   const std::uint64_t dimension = countOf(name, "dimension", require(name, header, "dimension"));
   if (dimension != 3 && dimension != 4) {
     throw InputError(name + " has " + std::to_string(dimension) + " dimensions; a volume with three is needed.");
@@ -190,7 +193,7 @@ void setGrid(const std::string& name, const NrrdHeader& header, const ReadOption
         throw InputError(name + " is a time series or has several values per voxel; save the one volume that is meant.");
       }
       layers = sizes[axis];
-      file.layersFastest = axis == 0;
+      itk.reorders = axis != 0 && layers > 1;
       continue;
     }
     if (domain == 3) {
@@ -213,8 +216,10 @@ void setGrid(const std::string& name, const NrrdHeader& header, const ReadOption
     file.geometry.size[a] = static_cast<int>(gridSize[a]);
   }
   file.layers = static_cast<int>(layers);
+  // ITK 5.2 turns LAS to LPS by the wrong axis (it mirrors left and right): its values are right, its place is not.
+  itk.judgesPlace = toLps != spaceToLps(name, "las");
   file.geometry.origin = toLps.cwiseProduct(vectorOf(name, "space origin", require(name, header, "spaceorigin")));
-  setSteps(name, steps, file.geometry, file.notes);
+  setSteps(name, steps, file);
   const std::string units = toLower(optional(header, "spaceunits"));
   if (!units.empty() && units.find("\"mm\"") == std::string::npos) {
     throw InputError(name + " gives its lengths in " + units + "; save it in mm.");
@@ -262,6 +267,30 @@ void setSegments(const std::string& name, const NrrdHeader& header, ImageFile& f
     file.segments.push_back(std::move(segment));
   }
 }
+
+/// The fields that say where and what the voxels are, word for word and in the order that the format asks for, in front of a link
+/// to them.
+ItkFile headerForItk(const std::string& name, const ItkFolder& folder, const NrrdHeader& header, const std::filesystem::path& data,
+                     bool attached) {
+  std::string kinds;
+  for (const std::string& direction : axisVectors(optional(header, "spacedirections"))) {
+    kinds += direction == "none" ? " list" : " domain";
+  }
+  std::string text = "NRRD0004\n";
+  for (const char* key : {"type", "dimension", "sizes", "space"}) {
+    text += std::string(key) + ": " + optional(header, key) + "\n";
+  }
+  text += "kinds:" + kinds + "\nspace directions: " + optional(header, "spacedirections") +
+          "\nspace origin: " + optional(header, "spaceorigin") + "\nencoding: " + optional(header, "encoding") + "\n";
+  if (const std::string endian = optional(header, "endian"); !endian.empty()) {
+    text += "endian: " + endian + "\n";
+  }
+  if (attached) {
+    text += "line skip: " + std::to_string(header.lines) + "\n";
+  }
+  folder.link("voxels", data);
+  return {ItkFormat::Nrrd, name, folder.write("header.nhdr", text + "data file: voxels\n"), {}};
+}
 }  // namespace
 
 ImageFile readNrrd(const std::filesystem::path& path, const ReadOptions& options, Extent extent) {
@@ -269,7 +298,8 @@ ImageFile readNrrd(const std::filesystem::path& path, const ReadOptions& options
   const NrrdHeader header = parseHeader(path);
   ImageFile file;
   file.scalar = scalarOf(name, toLower(require(name, header, "type")));
-  setGrid(name, header, options, file);
+  ItkInput itk;
+  setGrid(name, header, options, file, itk);
   setSegments(name, header, file);
   if (bytesOf(file.scalar) > 1) {
     const std::string endian = toLower(require(name, header, "endian"));
@@ -290,7 +320,9 @@ ImageFile readNrrd(const std::filesystem::path& path, const ReadOptions& options
   const std::string data = optional(header, "datafile") + optional(header, "data file");
   const std::filesystem::path dataPath = data.empty() ? path : besideHeader(path, data);
   ByteSource source(dataPath, data.empty() ? header.offset : 0, encoding == "raw" ? Coding::Raw : Coding::Gzip);
-  readValues(dataPath.string(), source, file, extent);
+  const ItkFolder folder(path);
+  itk.file = headerForItk(name, folder, header, dataPath, data.empty());
+  readValues(dataPath.string(), source, itk, file, extent);
   return file;
 }
 
