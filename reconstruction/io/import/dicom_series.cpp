@@ -43,11 +43,6 @@ std::vector<DicomSlice> findSlices(const fs::path& path, std::vector<std::string
   return slices;
 }
 
-void requireCtBudget(const std::string& name, const SliceStack& stack, const ReadOptions& options) {
-  const Index3& size = stack.geometry.size;
-  requireBudget(name, {1.0 * size[0], 1.0 * size[1], 1.0 * size[2]}, 1, stack.resample ? 4 : 2, options);
-}
-
 void requireOnePatient(const std::string& name, const std::vector<DicomSlice>& slices) {
   const PatientIdentity& first = slices.front().identity;
   for (const DicomSlice& slice : slices) {
@@ -57,6 +52,37 @@ void requireOnePatient(const std::string& name, const std::vector<DicomSlice>& s
                        (otherId ? "PatientID" : "FrameOfReferenceUID") + " of " + slices.front().path.filename().string() +
                        " and " + slice.path.filename().string() + " differ); give the folder of one series.");
     }
+  }
+}
+
+/// The slices of one patient, in order, on a grid within the budget.
+SliceStack checkedStack(const std::string& name, std::vector<DicomSlice>&& slices, const ReadOptions& options) {
+  requireOnePatient(name, slices);
+  SliceStack stack = stackSlices(name, std::move(slices), options.consents);
+  const Index3& size = stack.geometry.size;
+  requireBudget(name, {1.0 * size[0], 1.0 * size[1], 1.0 * size[2]}, 1, stack.resample ? 4 : 2, options);
+  stack.geometry.validate(name);
+  return stack;
+}
+
+/// A slope of its own in each slice is obeyed, as reliability asks; but no CT scanner writes one slice at twice the scale of the
+/// others or upside down: that header is broken and its Hounsfield units are not what they say.
+void requireOneScale(const std::vector<DicomSlice>& slices, std::vector<std::string>& notes) {
+  constexpr double kMostFactor = 2;
+  std::vector<double> slopes(slices.size());
+  std::ranges::transform(slices, slopes.begin(), &DicomSlice::slope);
+  std::ranges::sort(slopes);
+  const double usual = slopes[slopes.size() / 2];
+  for (const DicomSlice& slice : slices) {
+    const double factor = slice.slope / usual;
+    if (!(factor >= 1 / kMostFactor && factor <= kMostFactor)) {
+      throw InputError(slice.path.string() + " has a rescale slope of " + formatExact(slice.slope) + " where its series has " +
+                       formatExact(usual) + ", so its Hounsfield units would be wrong; copy or export the series again.");
+    }
+  }
+  if (slopes.front() != slopes.back()) {
+    notes.push_back("The slices have rescale slopes of their own, from " + formatExact(slopes.front()) + " to " +
+                    formatExact(slopes.back()) + ".");
   }
 }
 
@@ -84,11 +110,9 @@ CtVolume readDicomCt(const fs::path& path, const ReadOptions& options, const Exe
   if (const std::string& modality = chosen.front().modality; !modality.empty() && modality != "CT") {
     throw InputError(name + " is a series of modality " + modality + ", not CT; choose the CT series.");
   }
-  requireOnePatient(name, chosen);
-  SliceStack stack = stackSlices(name, std::move(chosen), options.consents);
-  requireCtBudget(name, stack, options);
+  requireOneScale(chosen, ct.notes);
+  SliceStack stack = checkedStack(name, std::move(chosen), options);
   ct.geometry = stack.geometry;
-  ct.geometry.validate(name);
   ct.identity = stack.slices.front().identity;
   ct.notes.insert(ct.notes.end(), stack.notes.begin(), stack.notes.end());
   const std::size_t pixels = stack.slices.front().pixels();
@@ -168,11 +192,8 @@ MaskSeries readMaskSeries(const fs::path& folder, const ReadOptions& options, co
   MaskSeries result;
   std::vector<DicomSlice> chosen =
       chooseSeries(name, readDicomSlices(filesIn(folder), result.notes, context.range(0, 0.5)), {}, result.notes);
-  requireOnePatient(name, chosen);
-  SliceStack stack = stackSlices(name, std::move(chosen), options.consents);
-  requireCtBudget(name, stack, options);
+  SliceStack stack = checkedStack(name, std::move(chosen), options);
   result.geometry = stack.geometry;
-  result.geometry.validate(name);
   result.identity = stack.slices.front().identity;
   result.notes.insert(result.notes.end(), stack.notes.begin(), stack.notes.end());
   std::vector<MaskSlice> masks(stack.slices.size());

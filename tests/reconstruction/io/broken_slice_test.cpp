@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
 
@@ -57,20 +58,8 @@ void writeMaskSeries(const fs::path& folder, int broken = -1, const std::functio
   }
 }
 
-template <typename Read>
-std::string refusal(Read&& read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
 std::string ctRefusal(const fs::path& path) {
-  ReadOptions options;  // no consent may paper over a broken slice
-  options.consents = {Consent::UnevenSlices, Consent::Tilt};
-  return refusal([&] { readCt(path, options); });
+  return refusalOfCt(path, accepting({Consent::UnevenSlices, Consent::Tilt}));  // no consent may paper over a broken slice
 }
 
 struct Fault {
@@ -226,6 +215,31 @@ TEST(BrokenSlice, H3AHugeRescaleSlopeInOneSliceIsRefusedAndAFewVoxelsBeyondTheRa
   std::fill_n(pixels.begin(), 20, static_cast<std::int16_t>(-32768));
   writeFile(padded / nameOf(3), dicomSlice(options, bytesOf(pixels)));
   EXPECT_EQ(ctRefusal(padded.path()), "");
+}
+
+TEST(BrokenSlice, H3ARescaleSlopeOfMoreThanTwiceOrLessThanHalfTheSeriesIsRefusedAndASmallerDifferenceIsObeyedAndTold) {
+  for (const char* slope : {"10", "2.1", "0.4", "-1"}) {
+    const TemporaryFolder folder;
+    writeSeries(folder.path());
+    DicomOptions options = sliceAt(3);
+    options.slopeText = slope;
+    writeSlice(folder.path(), nameOf(3), options);
+    const std::string message = ctRefusal(folder.path());
+    EXPECT_NE(message.find(nameOf(3) + " has a rescale slope of " + slope + " where its series has 1,"), std::string::npos)
+        << message;
+  }
+  const TemporaryFolder folder;
+  writeSeries(folder.path());
+  const CtVolume alike = readCt(folder.path());
+  EXPECT_TRUE(alike.notes.empty());
+  DicomOptions options = sliceAt(3);
+  options.slopeText = "1.5";
+  writeSlice(folder.path(), nameOf(3), options);
+  const CtVolume ct = readCt(folder.path());
+  ASSERT_EQ(ct.notes.size(), 1U);
+  EXPECT_NE(ct.notes[0].find("rescale slopes of their own, from 1 to 1.5"), std::string::npos) << ct.notes[0];
+  const std::size_t slice = static_cast<std::size_t>(3) * 72;
+  EXPECT_EQ(ct.hounsfield[slice + 10], std::lround(1.5 * alike.hounsfield[slice + 10]));
 }
 
 TEST(TwoSeries, TwoThatCouldEachBeTheOneAreRefusedNamingBothAndASliceChooses) {

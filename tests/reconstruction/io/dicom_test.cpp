@@ -14,21 +14,6 @@ namespace {
 
 using namespace fixtures;
 
-std::string refusal(const std::filesystem::path& path, const ReadOptions& options = {}) {
-  try {
-    readCt(path, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-ReadOptions accepting(std::set<Consent> consents) {
-  ReadOptions options;
-  options.consents = std::move(consents);
-  return options;
-}
-
 int expected(int i, int j, int k) { return 100 * k + 10 * j + i - 500; }
 
 void expectRamp(const CtVolume& ct) {
@@ -123,7 +108,7 @@ TEST(Dicom, PixelsOf32And8BitsAreRead) {
 TEST(Dicom, AMissingSliceIsNamedAndResampledOnlyWithConsent) {
   const TemporaryFolder folder;
   writeCtSeries(folder.path(), {0, 2, 4, 8, 10});
-  const std::string message = refusal(folder.path());
+  const std::string message = refusalOfCt(folder.path());
   EXPECT_NE(message.find("slice_98 and slice_97"), std::string::npos) << message;
   EXPECT_NE(message.find("4.000 mm instead of 2.000 mm"), std::string::npos) << message;
   EXPECT_NE(message.find("--accept uneven-slices"), std::string::npos) << message;
@@ -142,16 +127,16 @@ TEST(Dicom, AMissingSliceIsNamedAndResampledOnlyWithConsent) {
 TEST(Dicom, ADeviationBelowTheToleranceIsNoFault) {
   const TemporaryFolder folder;
   writeCtSeries(folder.path(), {0, 2.03, 4, 5.98, 8});
-  EXPECT_EQ(refusal(folder.path()), "");
+  EXPECT_EQ(refusalOfCt(folder.path()), "");
   const TemporaryFolder other;
   writeCtSeries(other.path(), {0, 2.06, 4, 6, 8});
-  EXPECT_NE(refusal(other.path()), "");
+  EXPECT_NE(refusalOfCt(other.path()), "");
 }
 
 TEST(Dicom, ADuplicateSliceIsRefusedAndDroppedWithConsent) {
   const TemporaryFolder folder;
   writeCtSeries(folder.path(), {0, 2, 4, 4, 6});
-  EXPECT_NE(refusal(folder.path()).find("--accept uneven-slices"), std::string::npos);
+  EXPECT_NE(refusalOfCt(folder.path()).find("--accept uneven-slices"), std::string::npos);
   EXPECT_EQ(readCt(folder.path(), accepting({Consent::UnevenSlices})).geometry.size[2], 4);
 }
 
@@ -175,7 +160,7 @@ TEST(Dicom, TiltIsMeasuredRefusedAndStraightenedWithConsent) {
     }
     writeFile(folder / ("s" + std::to_string(k)), dicomSlice(options, bytesOf(pixels)));
   }
-  const std::string message = refusal(folder.path());
+  const std::string message = refusalOfCt(folder.path());
   EXPECT_NE(message.find("10.0 degrees"), std::string::npos) << message;
   EXPECT_NE(message.find("--accept tilt"), std::string::npos) << message;
   const CtVolume ct = readCt(folder.path(), accepting({Consent::Tilt}));
@@ -199,13 +184,13 @@ TEST(Dicom, TiltIsMeasuredRefusedAndStraightenedWithConsent) {
 TEST(Dicom, OneSliceAllAtOnePositionAndTimeSeriesAreNoVolume) {
   const TemporaryFolder one;
   writeCtSeries(one.path(), {0});
-  EXPECT_NE(refusal(one.path()).find("single slice"), std::string::npos);
+  EXPECT_NE(refusalOfCt(one.path()).find("single slice"), std::string::npos);
   const TemporaryFolder same;
   writeCtSeries(same.path(), {3, 3, 3});
-  EXPECT_NE(refusal(same.path()).find("not a volume"), std::string::npos);
+  EXPECT_NE(refusalOfCt(same.path()).find("not a volume"), std::string::npos);
   const TemporaryFolder time;
   writeCtSeries(time.path(), {0, 0, 2, 2, 4, 4});
-  EXPECT_NE(refusal(time.path()).find("time series"), std::string::npos);
+  EXPECT_NE(refusalOfCt(time.path()).find("time series"), std::string::npos);
 }
 
 TEST(Dicom, LocalizersOtherSeriesAndStrangersAreLeftOutByName) {
@@ -241,7 +226,7 @@ TEST(Dicom, AWholeStudyFolderIsSearchedAndOtherModalitiesAreRefused) {
   DicomOptions options;
   options.modality = "MR";
   writeCtSeries(mr.path(), {0, 2, 4}, options);
-  EXPECT_NE(refusal(mr.path()).find("modality MR"), std::string::npos);
+  EXPECT_NE(refusalOfCt(mr.path()).find("modality MR"), std::string::npos);
 }
 
 void writeMask(const std::filesystem::path& folder, int firstSet, const std::string& patientId = "") {

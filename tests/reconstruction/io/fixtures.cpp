@@ -28,6 +28,16 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
+std::string refusalOfCt(const fs::path& path, const ReadOptions& options) {
+  return refusal([&] { readCt(path, options); });
+}
+
+ReadOptions accepting(std::set<Consent> consents) {
+  ReadOptions options;
+  options.consents = std::move(consents);
+  return options;
+}
+
 void writeFile(const fs::path& path, const Bytes& bytes) {
   fs::create_directories(path.parent_path());
   std::ofstream file(path, std::ios::binary);
@@ -98,6 +108,19 @@ std::vector<std::uint8_t> asymmetricBody(const ImageGeometry& geometry) {
     }
   }
   return values;
+}
+
+std::string faultOfBody(const Segmentation& read, const ImageGeometry& expected) {
+  const double apart = read.geometry.cornerDistance(expected);
+  if (!(apart <= 1e-3)) {
+    return formatNumber(apart, 4) + " mm off: " + read.geometry.describe();
+  }
+  if (read.structures.size() != 1) {
+    return std::to_string(read.structures.size()) + " structures";
+  }
+  const Mask mask = Mask::fromGrid(expected.size, asymmetricBody(expected));
+  const Mask& found = *read.structures[0].mask;
+  return !mask.empty() && found.box() == mask.box() && std::ranges::equal(found.values(), mask.values()) ? "" : "another body";
 }
 
 namespace {

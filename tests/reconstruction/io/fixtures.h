@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "reconstruction/image/image_geometry.h"
+#include "reconstruction/errors.h"
+#include "reconstruction/io/read.h"
 
 namespace glisson::fixtures {
 
@@ -24,6 +25,19 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// The sentence of the refusal; empty where nothing was refused.
+template <typename Read>
+std::string refusal(Read&& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+std::string refusalOfCt(const std::filesystem::path& path, const ReadOptions& options = {});
+ReadOptions accepting(std::set<Consent> consents);
 
 using Bytes = std::vector<std::uint8_t>;
 void writeFile(const std::filesystem::path& path, const Bytes& bytes);
@@ -47,6 +61,8 @@ Bytes bytesOf(const std::vector<T>& values, bool bigEndian = false) {
 /// A body without any symmetry, by world position (mm LPS) around `centre`: a bar with one arm to the left, one short one up and a
 /// knob behind. 1 or 0 per voxel of the grid.
 std::vector<std::uint8_t> asymmetricBody(const ImageGeometry& geometry);
+/// What is wrong with a segmentation that should hold this body alone, on this grid; empty where nothing is.
+std::string faultOfBody(const Segmentation& read, const ImageGeometry& expected);
 /// A grid of 9x8x7 voxels with unequal spacing whose axes are permuted and flipped as `code` (0..47) says, then turned by
 /// `degrees` about an oblique axis.
 ImageGeometry permutedGrid(int code, double degrees);

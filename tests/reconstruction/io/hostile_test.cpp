@@ -20,17 +20,6 @@ namespace {
 using namespace fixtures;
 constexpr const char* kLps = "left-posterior-superior";
 
-/// The sentence of the refusal; empty where the file was accepted.
-template <typename Read>
-std::string refusal(Read&& read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
 void expectOneSentence(const std::string& message, const std::string& file) {
   EXPECT_NE(message.find(file), std::string::npos) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;

@@ -14,6 +14,7 @@
 namespace glisson {
 namespace {
 
+using namespace fixtures;
 namespace fs = std::filesystem;
 
 fs::path dataFolder() {
@@ -27,25 +28,10 @@ fs::path dataFolder() {
   }                                          \
   static_assert(true)
 
-std::string refusal(const fs::path& path, const ReadOptions& options = {}) {
-  try {
-    readCt(path, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-ReadOptions accepting(std::set<Consent> consents) {
-  ReadOptions options;
-  options.consents = std::move(consents);
-  return options;
-}
-
 TEST(RealData, Ircadb01IsReadAsItIsWithItsPublishedVolumes) {
   const fs::path data = dataFolder() / "ircadb01";
   REQUIRE_REAL_DATA(data);
-  const fixtures::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string unpack = "tar -xJf '" + (data / "PATIENT_DICOM.tar.xz").string() + "' -C '" + folder.path().string() +
                              "' && unzip -q '" + (data / "MASKS_DICOM.zip").string() + "' -d '" + folder.path().string() + "'";
   ASSERT_EQ(std::system(unpack.c_str()), 0) << "tar or unzip is missing";
@@ -143,15 +129,15 @@ TEST(RealData, TotalSegmentatorsJpeg2000SeriesIsReadAndItsMirroredLabelsLieOnIt)
 TEST(RealData, EachFolderOfDicomFaultsIsAnsweredWithItsReasonOrCorrectedWithConsent) {
   const fs::path data = dataFolder() / "dicom-faults";
   REQUIRE_REAL_DATA(data);
-  EXPECT_NE(refusal(data / "gantrytilting/001").find("14.0 degrees; accept resampling it to a regular grid with --accept tilt"),
+  EXPECT_NE(refusalOfCt(data / "gantrytilting/001").find("14.0 degrees; accept resampling it to a regular grid with --accept tilt"),
             std::string::npos);
-  EXPECT_NE(refusal(data / "notavolume/001").find("not a volume"), std::string::npos);
-  EXPECT_NE(refusal(data / "sliceincrement/001").find("10.000 mm instead of 5.000 mm"), std::string::npos);
-  EXPECT_NE(refusal(data / "sliceincrement/002").find("--accept tilt,uneven-slices"), std::string::npos);
-  EXPECT_EQ(refusal(data / "gantrytilting/001", accepting({Consent::Tilt})), "");
-  EXPECT_NE(refusal(data / "notavolume/001", accepting({Consent::Tilt, Consent::UnevenSlices})), "");
+  EXPECT_NE(refusalOfCt(data / "notavolume/001").find("not a volume"), std::string::npos);
+  EXPECT_NE(refusalOfCt(data / "sliceincrement/001").find("10.000 mm instead of 5.000 mm"), std::string::npos);
+  EXPECT_NE(refusalOfCt(data / "sliceincrement/002").find("--accept tilt,uneven-slices"), std::string::npos);
+  EXPECT_EQ(refusalOfCt(data / "gantrytilting/001", accepting({Consent::Tilt})), "");
+  EXPECT_NE(refusalOfCt(data / "notavolume/001", accepting({Consent::Tilt, Consent::UnevenSlices})), "");
   EXPECT_EQ(readCt(data / "sliceincrement/001", accepting({Consent::UnevenSlices})).geometry.size[2], 5);
-  EXPECT_NE(refusal(data / "sliceincrement/002", accepting({Consent::Tilt})), "");
+  EXPECT_NE(refusalOfCt(data / "sliceincrement/002", accepting({Consent::Tilt})), "");
   const CtVolume both = readCt(data / "sliceincrement/002", accepting({Consent::Tilt, Consent::UnevenSlices}));
   EXPECT_EQ(both.geometry.size, (Index3{512, 514, 5}));
 }
