@@ -38,34 +38,17 @@ class TableBuilder {
   int next_ = 1;
 };
 
+/// What the tables of CT (v2) and MR begin with.
+constexpr std::initializer_list<const char*> kUpperAbdomen{
+    "spleen",  "kidney_right", "kidney_left",         "gallbladder",       "liver",
+    "stomach", "pancreas",     "adrenal_gland_right", "adrenal_gland_left"};
+
 std::map<int, std::string> totalV2() {
   TableBuilder table;
-  table.add({"spleen",
-             "kidney_right",
-             "kidney_left",
-             "gallbladder",
-             "liver",
-             "stomach",
-             "pancreas",
-             "adrenal_gland_right",
-             "adrenal_gland_left",
-             "lung_upper_lobe_left",
-             "lung_lower_lobe_left",
-             "lung_upper_lobe_right",
-             "lung_middle_lobe_right",
-             "lung_lower_lobe_right",
-             "esophagus",
-             "trachea",
-             "thyroid_gland",
-             "small_bowel",
-             "duodenum",
-             "colon",
-             "urinary_bladder",
-             "prostate",
-             "kidney_cyst_left",
-             "kidney_cyst_right",
-             "sacrum",
-             "vertebrae_S1"});
+  table.add(kUpperAbdomen);
+  table.add({"lung_upper_lobe_left", "lung_lower_lobe_left", "lung_upper_lobe_right", "lung_middle_lobe_right",
+             "lung_lower_lobe_right", "esophagus", "trachea", "thyroid_gland", "small_bowel", "duodenum", "colon",
+             "urinary_bladder", "prostate", "kidney_cyst_left", "kidney_cyst_right", "sacrum", "vertebrae_S1"});
   table.addDown("vertebrae_L", 5);
   table.addDown("vertebrae_T", 12);
   table.addDown("vertebrae_C", 7);
@@ -105,30 +88,9 @@ std::map<int, std::string> totalV1() {
 
 std::map<int, std::string> totalMr() {
   TableBuilder table;
-  table.add({"spleen",
-             "kidney_right",
-             "kidney_left",
-             "gallbladder",
-             "liver",
-             "stomach",
-             "pancreas",
-             "adrenal_gland_right",
-             "adrenal_gland_left",
-             "lung_left",
-             "lung_right",
-             "esophagus",
-             "small_bowel",
-             "duodenum",
-             "colon",
-             "urinary_bladder",
-             "prostate",
-             "sacrum",
-             "vertebrae",
-             "intervertebral_discs",
-             "spinal_cord",
-             "heart",
-             "aorta",
-             "inferior_vena_cava",
+  table.add(kUpperAbdomen);
+  table.add({"lung_left", "lung_right", "esophagus", "small_bowel", "duodenum", "colon", "urinary_bladder", "prostate", "sacrum",
+             "vertebrae", "intervertebral_discs", "spinal_cord", "heart", "aorta", "inferior_vena_cava",
              "portal_vein_and_splenic_vein"});
   table.addPairs({"iliac_artery", "iliac_vena", "humerus", "scapula", "clavicula", "femur", "hip", "gluteus_maximus",
                   "gluteus_medius", "gluteus_minimus", "autochthon", "iliopsoas"});
