@@ -53,6 +53,39 @@ void removeSelfIntersections(Reconstruction& made, const ExecutionContext& conte
                          std::to_string(untangled.movedVertices) + " vertices");
   }
 }
+
+void simplifyMesh(Reconstruction& made, const ExecutionContext& context) {
+  const Stopwatch watch;
+  const std::size_t before = made.mesh.triangles.size();
+  made.mesh = simplify(made.mesh, *made.parameters.simplify, context);
+  const std::size_t after = made.mesh.triangles.size();
+  made.notes.push_back("simplified from " + std::to_string(before) + " to " + std::to_string(after) + " triangles");
+  if (after > made.parameters.simplify->triangles.value_or(after)) {
+    made.notes.push_back("more than " + std::to_string(*made.parameters.simplify->triangles) +
+                         " triangles are kept: with fewer the surface would cross itself or lose a piece");
+  }
+  made.seconds.simplify = watch.seconds();
+}
+
+std::string describeMethod(const ReconstructionParameters& p) {
+  if (p.method == Method::Psr) {
+    std::string text = "PSR d=" + std::to_string(p.psr.depth) + (p.psr.sampling == Sampling::Paper ? " paper" : " unbiased");
+    if (p.psr.pointWeight > 0) {
+      text += " screened " + formatExact(p.psr.pointWeight);
+    }
+    return text;
+  }
+  std::string text = "MCSD";
+  text += p.mcsd.smoothing == 0 ? " unsmoothed" : p.mcsd.filter == SmoothingFilter::Sinc ? " sinc " : " Laplacian ";
+  if (p.mcsd.smoothing > 0) {
+    text += std::to_string(p.mcsd.smoothing);
+  }
+  text += " decimation " + formatExact(std::round(1000.0 * p.mcsd.decimation) / 10.0) + " %";
+  if (p.mcsd.order == McsdOrder::SmoothFirst) {
+    text += " smooth-first";
+  }
+  return p.mcsd.splitNormals ? text + " split normals" : text;
+}
 }  // namespace
 
 void ReconstructionParameters::validate() const {
@@ -61,28 +94,20 @@ void ReconstructionParameters::validate() const {
   } else {
     mcsd.validate();
   }
+  if (simplify) {
+    simplify->validate();
+  }
 }
 
 std::string ReconstructionParameters::describe() const {
-  if (method == Method::Psr) {
-    std::string text = "PSR d=" + std::to_string(psr.depth) + (psr.sampling == Sampling::Paper ? " paper" : " unbiased");
-    if (psr.pointWeight > 0) {
-      text += " screened " + formatExact(psr.pointWeight);
-    }
-    return text;
+  std::string text = describeMethod(*this);
+  if (simplify && simplify->triangles) {
+    text += ", simplified to " + std::to_string(*simplify->triangles) + " triangles";
+  } else if (simplify) {
+    text += ", simplified to " + formatExact(*simplify->distanceMm) + " mm";
   }
-  std::string text = "MCSD";
-  text += mcsd.smoothing == 0 ? " unsmoothed" : mcsd.filter == SmoothingFilter::Sinc ? " sinc " : " Laplacian ";
-  if (mcsd.smoothing > 0) {
-    text += std::to_string(mcsd.smoothing);
-  }
-  text += " decimation " + formatExact(std::round(1000.0 * mcsd.decimation) / 10.0) + " %";
-  if (mcsd.order == McsdOrder::SmoothFirst) {
-    text += " smooth-first";
-  }
-  return mcsd.splitNormals ? text + " split normals" : text;
+  return text;
 }
-
 ReconstructionParameters ReconstructionParameters::defaultsFor(StructureKind kind) {
   ReconstructionParameters parameters;
   parameters.method = kind == StructureKind::Liver ? Method::Psr : Method::Mcsd;
@@ -103,9 +128,12 @@ Reconstruction reconstruct(const Mask& mask, const ImageGeometry& geometry, Stru
   context.report(0.85, "checks");
   const Stopwatch check;
   removeSelfIntersections(made, context);
+  if (parameters.simplify) {
+    simplifyMesh(made, context.range(0.88, 0.95));
+  }
   context.report(0.95, "checks");
   checkAgainstMask(mask, geometry, kind, cellMm, made, context);
-  made.seconds.check = check.seconds();
+  made.seconds.check = check.seconds() - made.seconds.simplify;
   context.report(1.0, "checks");
   return made;
 }

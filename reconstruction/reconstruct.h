@@ -8,6 +8,7 @@
 #include "reconstruction/execution_context.h"
 #include "reconstruction/image/structure_kind.h"
 #include "reconstruction/mcsd/mcsd.h"
+#include "reconstruction/mesh/simplify.h"
 #include "reconstruction/poisson/poisson.h"
 
 namespace glisson {
@@ -18,17 +19,18 @@ struct ReconstructionParameters {
   Method method = Method::Psr;
   PoissonParameters psr;
   McsdParameters mcsd;
+  std::optional<SimplifyTarget> simplify;  ///< behind either method
 
   void validate() const;
-  /// "PSR d=7 unbiased" or "MCSD sinc 10 decimation 25 %": for lists and reports.
+  /// "PSR d=7 unbiased", "MCSD sinc 10 decimation 25 %", "..., simplified to 10000 triangles": for lists and reports.
   [[nodiscard]] std::string describe() const;
   /// Parenchyma by PSR d=7 unbiased, the others by MCSD sinc s=10 e=0.25.
   static ReconstructionParameters defaultsFor(StructureKind kind);
 };
 
 struct Seconds {
-  double sample = 0, solve = 0, extract = 0, smooth = 0, decimate = 0, check = 0;
-  [[nodiscard]] double total() const { return sample + solve + extract + smooth + decimate + check; }
+  double sample = 0, solve = 0, extract = 0, smooth = 0, decimate = 0, simplify = 0, check = 0;
+  [[nodiscard]] double total() const { return sample + solve + extract + smooth + decimate + simplify + check; }
 };
 
 struct Reconstruction {

@@ -50,6 +50,22 @@ std::vector<int> depthsOf(const std::string& text) {
   return depths;
 }
 
+std::optional<SimplifyTarget> simplifyTargetOf(const std::string& text) {
+  if (text.empty()) {
+    return std::nullopt;
+  }
+  SimplifyTarget target;
+  if (text.ends_with("mm")) {
+    target.distanceMm = parseNumber(text.substr(0, text.size() - 2));
+  } else if (const auto triangles = parseInteger(text); triangles && *triangles > 0) {
+    target.triangles = static_cast<std::size_t>(*triangles);
+  }
+  if (!target.triangles && !target.distanceMm) {
+    throw UsageError("--simplify takes a number of triangles (10000) or a distance (0.3mm), not \"" + text + "\"");
+  }
+  return target;
+}
+
 }  // namespace
 
 void addReconstructFlags(CLI::App& command, ReconstructFlags& flags) {
@@ -65,6 +81,7 @@ void addReconstructFlags(CLI::App& command, ReconstructFlags& flags) {
   command.add_option("--filter", flags.filter, "mcsd: sinc or laplacian")->capture_default_str();
   addNumber(command, "--decimation", mcsd.decimation, "mcsd: share of triangles to remove, 0 to 0.99");
   command.add_option("--order", flags.order, "mcsd: decimate-first or smooth-first")->capture_default_str();
+  command.add_option("--simplify", flags.simplify, "Fewer triangles: a number (10000) or the distance allowed (0.3mm)");
 }
 
 std::vector<ReconstructionParameters> parametersOf(const CLI::App& command, const ReconstructFlags& flags) {
@@ -77,6 +94,7 @@ std::vector<ReconstructionParameters> parametersOf(const CLI::App& command, cons
                                                   {{"sinc", SmoothingFilter::Sinc}, {"laplacian", SmoothingFilter::Laplacian}});
   parameters.mcsd.order = oneOf<McsdOrder>(
       "--order", flags.order, {{"decimate-first", McsdOrder::DecimateFirst}, {"smooth-first", McsdOrder::SmoothFirst}});
+  parameters.simplify = simplifyTargetOf(flags.simplify);
   std::vector<ReconstructionParameters> sets;
   for (const int depth : depthsOf(flags.depths)) {
     parameters.psr.depth = depth;

@@ -15,6 +15,7 @@ struct ReconstructFlags {
   std::string sampling = "unbiased";
   std::string filter = "sinc";
   std::string order = "decimate-first";
+  std::string simplify;  ///< empty, "10000" or "0.3mm"
   ReconstructionParameters parameters;
 };
 

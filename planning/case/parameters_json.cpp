@@ -12,6 +12,26 @@ Json picked(const Json& all, std::initializer_list<const char*> keys) {
   }
   return json;
 }
+
+Json simplifyJson(const std::optional<SimplifyTarget>& target) {
+  if (!target) {
+    return nullptr;
+  }
+  return target->triangles ? Json{{"triangles", *target->triangles}} : Json{{"distanceMm", *target->distanceMm}};
+}
+
+std::optional<SimplifyTarget> simplifyFromJson(const Json& json) {
+  if (json.is_null()) {
+    return std::nullopt;
+  }
+  SimplifyTarget target;
+  if (json.contains("triangles")) {
+    target.triangles = json.at("triangles").get<std::size_t>();
+  } else {
+    target.distanceMm = json.at("distanceMm").get<double>();
+  }
+  return target;
+}
 }  // namespace
 
 Json parametersJson(const ReconstructionParameters& p) {
@@ -24,7 +44,8 @@ Json parametersJson(const ReconstructionParameters& p) {
           {"filter", p.mcsd.filter == SmoothingFilter::Sinc ? "sinc" : "laplacian"},
           {"decimation", p.mcsd.decimation},
           {"order", p.mcsd.order == McsdOrder::DecimateFirst ? "decimate-first" : "smooth-first"},
-          {"splitNormals", p.mcsd.splitNormals}};
+          {"splitNormals", p.mcsd.splitNormals},
+          {"simplify", simplifyJson(p.simplify)}};
 }
 
 ReconstructionParameters parametersFromJson(const Json& json) {
@@ -39,14 +60,15 @@ ReconstructionParameters parametersFromJson(const Json& json) {
   p.mcsd.decimation = json.at("decimation");
   p.mcsd.order = json.at("order") == "decimate-first" ? McsdOrder::DecimateFirst : McsdOrder::SmoothFirst;
   p.mcsd.splitNormals = json.at("splitNormals");
+  p.simplify = simplifyFromJson(json.value("simplify", Json()));  // cases of before it existed have none
   p.validate();
   return p;
 }
 
 Json usedParametersJson(const ReconstructionParameters& parameters) {
   const Json all = parametersJson(parameters);
-  return parameters.method == Method::Psr ? picked(all, {"method", "depth", "sampling", "pointWeight", "scale"})
-                                          : picked(all, {"method", "smoothing", "filter", "decimation", "order"});
+  return parameters.method == Method::Psr ? picked(all, {"method", "depth", "sampling", "pointWeight", "scale", "simplify"})
+                                          : picked(all, {"method", "smoothing", "filter", "decimation", "order", "simplify"});
 }
 
 }  // namespace glisson

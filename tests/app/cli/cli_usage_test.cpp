@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Keys{"reconstruct", "SEG", "-o", "OUT.doc"}, Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "11"},
                     Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "7,x"},
                     Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--method", "magic"},
-                    Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--simplify", "10000"},
+                    Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--simplify", "10000cm"},
                     Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--scale", "1,1"},
                     Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--scale", "nan"},
                     Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--method", "mcsd", "--decimation", "1"},
@@ -155,6 +155,22 @@ TEST(CliReconstruct, WritesOneFilePerDepth) {
                                  folder / "g.ply", "--report", folder / "g.json"});
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
   EXPECT_EQ(namesIn(folder.path()), (Keys{"g_d5.json", "g_d5.ply", "g_d6.json", "g_d6.ply"}));
+}
+
+TEST(CliReconstruct, SimplifiesToANumberOfTrianglesOrADistance) {
+  const TemporaryFolder folder;
+  for (const char* target : {"2000", "0.5mm"}) {
+    const Finished finished = cli({"reconstruct", sampleSegmentation(), "--structure", "gallbladder", "--depth", "7", "--simplify",
+                                   target, "-o", folder / "g.ply", "--report", folder / "g.json"});
+    ASSERT_EQ(finished.exitCode, 0) << finished.err;
+    const Json json = Json::parse(bytesOf(folder / "g.json"));
+    EXPECT_LE(json["triangles"], 2000) << target;
+    EXPECT_GT(json["seconds"]["simplify"], 0.0);
+    EXPECT_EQ(json["defects"], Json::array());
+    EXPECT_EQ(json["parameters"]["simplify"],
+              std::string(target) == "2000" ? (Json{{"triangles", 2000}}) : (Json{{"distanceMm", 0.5}}));
+    EXPECT_NEAR(json["volumeMl"], json["voxelVolumeMl"].get<double>(), 0.005 * json["voxelVolumeMl"].get<double>());
+  }
 }
 
 TEST(CliMeasure, FindsTheVolumeOfWhatReconstructWrote) {
