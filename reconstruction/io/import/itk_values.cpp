@@ -70,8 +70,8 @@ ItkHeader headerOf(const itk::ImageIOBase& io, bool placed) {
   return header;
 }
 
-/// The last line of ITK's report tells the cause; the path in it may be one that the user never saw.
-std::string reasonOf(const itk::ExceptionObject& error, const std::string& path) {
+/// The last line of ITK's report tells the cause; the folder in it is one that the user never saw.
+std::string reasonOf(const itk::ExceptionObject& error, const std::filesystem::path& folder) {
   constexpr std::size_t kMostLetters = 160;
   std::string reason = error.GetDescription();
   reason.erase(reason.find_last_not_of(" \r\n.") + 1);
@@ -79,8 +79,8 @@ std::string reasonOf(const itk::ExceptionObject& error, const std::string& path)
   if (const std::size_t at = reason.find("): "); at != std::string::npos && reason.starts_with("itk::ERROR")) {
     reason.erase(0, at + 3);
   }
-  if (const std::size_t at = reason.find(path); at != std::string::npos) {
-    reason.replace(at, path.size(), "it");
+  if (const std::size_t at = reason.find(folder.string()); at != std::string::npos) {
+    reason.erase(at, folder.string().size());
   }
   return reason.substr(0, kMostLetters);
 }
@@ -107,8 +107,8 @@ std::vector<std::uint8_t> decode(itk::ImageIOBase& io) {
 
 std::vector<std::uint8_t> decodeWithItk(const ItkFile& file, const std::function<void(const ItkHeader&)>& accept) {
   itk::Object::GlobalWarningDisplayOff();
-  itk::ImageIOBase::Pointer io;
   try {
+    itk::ImageIOBase::Pointer io;
     bool placed = file.path != file.placeless;
     try {
       io = open(file.format, file.path);
@@ -124,8 +124,8 @@ std::vector<std::uint8_t> decodeWithItk(const ItkFile& file, const std::function
   } catch (const itk::MemoryAllocationError&) {
     throw std::bad_alloc();
   } catch (const itk::ExceptionObject& error) {
-    const std::string path = io ? io->GetFileName() : file.path.string();
-    throw InputError(file.name + " cannot be decoded by ITK (" + reasonOf(error, path) + "); export it again.");
+    throw InputError(file.name + " cannot be decoded by ITK (" + reasonOf(error, file.path.parent_path() / "") +
+                     "); export it again.");
   }
 }
 
