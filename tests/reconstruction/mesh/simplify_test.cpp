@@ -60,13 +60,13 @@ Mask randomMask(std::mt19937& random, const Index3& size) {
   return Mask::fromGrid(size, values);
 }
 
-TEST(Simplify, ABoxOfManySquaresBecomesTwelveTrianglesWithinFiveMicrometres) {
+TEST(Simplify, ABoxOfManySquaresBecomesTwelveTrianglesWithinTenMicrometres) {
   const SurfaceMesh fine = test::box({-10, 5, 100}, {40, 30, 20}, 16);
   const SurfaceMesh coarse = simplify(fine, {.triangles = 12});
   EXPECT_EQ(coarse.triangles.size(), 12U);
   EXPECT_FALSE(coarse.defects().any());
   EXPECT_NEAR(signedVolumeMm3(coarse), 24000, 1e-6);
-  EXPECT_LT(std::ranges::max(MeshDistance(coarse).to(fine.vertices)), 5e-3);
+  EXPECT_LT(std::ranges::max(MeshDistance(coarse).to(fine.vertices)), 1e-2);
 }
 
 TEST(Simplify, KeepsVolumePiecesAndHandles) {
