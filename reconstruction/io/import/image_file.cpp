@@ -173,6 +173,20 @@ unsigned long verifyValues(const std::string& name, ByteSource& source, const Im
   return checksum;
 }
 
+/// Of the values in the file's order, where `layers` that lie side by side follow one another in the file.
+unsigned long checksumOf(std::span<const std::uint8_t> bytes, std::size_t width, std::size_t layers) {
+  unsigned long checksum = adler32_z(0, nullptr, 0);
+  if (layers == 1) {
+    return adler32_z(checksum, bytes.data(), bytes.size());
+  }
+  for (std::size_t layer = 0; layer < layers; ++layer) {
+    for (std::size_t at = layer * width; at < bytes.size(); at += layers * width) {
+      checksum = adler32_z(checksum, &bytes[at], width);
+    }
+  }
+  return checksum;
+}
+
 /// How far a corner lies from where ITK sees it (mm). A header without a place tells the size of a voxel still.
 double apartFromItk(const ImageGeometry& ours, const ItkHeader& header) {
   ImageGeometry theirs = ours;
@@ -242,8 +256,8 @@ void readValues(const std::string& name, ByteSource& source, const ItkInput& itk
   }
   const unsigned long checksum = verifyValues(name, source, file);
   file.bytes = decodeWithItk(itk.file, [&](const ItkHeader& header) { requireAgreement(itk, file, header); });
-  if (file.bytes.size() != expected ||
-      (!itk.reorders && adler32_z(adler32_z(0, nullptr, 0), file.bytes.data(), expected) != checksum)) {
+  const std::size_t layers = itk.reorders ? static_cast<std::size_t>(file.layers) : 1;
+  if (file.bytes.size() != expected || checksumOf(file.bytes, width, layers) != checksum) {
     throw InputError(itk.file.name + " holds other voxels than ITK finds in it; export it again.");
   }
 }

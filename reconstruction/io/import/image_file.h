@@ -72,7 +72,7 @@ void setSteps(const std::string& name, const Mat3& steps, ImageFile& file);
 struct ItkInput {
   ItkFile file;
   bool judgesPlace = true;  ///< false where ITK is known to misread the place
-  bool reorders = false;    ///< ITK puts the values in another order than the file
+  bool reorders = false;    ///< the layers follow one another in the file; ITK puts them side by side
 };
 /// Fills file.bytes. Whole: the source, named `name`, is read to its end first and must hold exactly valueCount() finite values;
 /// then ITK decodes them, and its header and values must be the same as ours. Peek: the source's first values, by ourselves.
