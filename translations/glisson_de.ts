@@ -2,6 +2,2037 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Sentence</name>
+    <message>
+        <source>%1 was not read within %2 seconds; check the file, or copy it to a faster disk.</source>
+        <translation>%1 wurde nicht innerhalb von %2 Sekunden gelesen; prüfen Sie die Datei oder kopieren Sie sie auf eine schnellere Platte.</translation>
+    </message>
+    <message>
+        <source>No temporary folder can be made in %1; free some space there.</source>
+        <translation>In %1 lässt sich kein Zwischenordner anlegen; schaffen Sie dort Platz.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read because the program part glisson-import is missing; install Glisson again.</source>
+        <translation>%1 lässt sich nicht lesen, weil der Programmteil glisson-import fehlt; installieren Sie Glisson neu.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read because the system has no free file handles; close other programs.</source>
+        <translation>%1 lässt sich nicht lesen, weil das System keine weiteren Dateien öffnen kann; schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read because no file can be made in %2; free some space there.</source>
+        <translation>%1 lässt sich nicht lesen, weil sich in %2 keine Datei anlegen lässt; schaffen Sie dort Platz.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read because %2; free some space there.</source>
+        <translation>%1 lässt sich nicht lesen: %2; schaffen Sie dort Platz.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read because %2 does not start; install Glisson again.</source>
+        <translation>%1 lässt sich nicht lesen, weil %2 nicht startet; installieren Sie Glisson neu.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read because its decoder failed on it, as a damaged file makes it do; export it again.</source>
+        <translation>%1 lässt sich nicht lesen, weil der Dekoder daran gescheitert ist, wie es bei beschädigten Dateien vorkommt; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read because %2; export it again.</source>
+        <translation>%1 lässt sich nicht lesen: %2; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read because glisson-import gave another answer than asked; install Glisson again.</source>
+        <translation>%1 lässt sich nicht lesen, weil glisson-import anders als gefragt geantwortet hat; installieren Sie Glisson neu.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: the request is unknown; install Glisson again.</source>
+        <translation>%1 lässt sich nicht lesen: Die Anfrage ist unbekannt; installieren Sie Glisson neu.</translation>
+    </message>
+    <message>
+        <source>%1 needs more memory than is allowed for reading; crop or resample it first.</source>
+        <translation>%1 braucht mehr Speicher, als zum Lesen erlaubt ist; schneiden Sie das Bild zu oder verkleinern Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read (%2); check that you may read it.</source>
+        <translation>%1 lässt sich nicht lesen (%2); prüfen Sie, ob Sie die Datei lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; export it again.</source>
+        <translation>%1 lässt sich nicht lesen; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>the hand-over file cannot be written</source>
+        <translation>die Übergabedatei lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the hand-over file cannot be written: the temporary folder is full</source>
+        <translation>die Übergabedatei lässt sich nicht schreiben, der Zwischenordner ist voll</translation>
+    </message>
+    <message>
+        <source>the hand-over file is missing</source>
+        <translation>die Übergabedatei fehlt</translation>
+    </message>
+    <message>
+        <source>the hand-over file promises more than it holds</source>
+        <translation>die Übergabedatei verspricht mehr, als sie enthält</translation>
+    </message>
+    <message>
+        <source>the hand-over file&apos;s array has another size than its grid</source>
+        <translation>das Feld der Übergabedatei hat eine andere Größe als ihr Gitter</translation>
+    </message>
+    <message>
+        <source>the hand-over file holds an unknown choice</source>
+        <translation>die Übergabedatei enthält eine unbekannte Auswahl</translation>
+    </message>
+    <message>
+        <source>the hand-over file holds more than its message</source>
+        <translation>die Übergabedatei enthält mehr als ihre Nachricht</translation>
+    </message>
+    <message>
+        <source>the hand-over file ends early</source>
+        <translation>die Übergabedatei endet zu früh</translation>
+    </message>
+    <message>
+        <source>the hand-over file&apos;s grid is impossibly large</source>
+        <translation>das Gitter der Übergabedatei ist unmöglich groß</translation>
+    </message>
+    <message>
+        <source>the hand-over file leaves out a mask</source>
+        <translation>der Übergabedatei fehlt eine Maske</translation>
+    </message>
+    <message>
+        <source>the hand-over file&apos;s mask leaves its grid</source>
+        <translation>eine Maske der Übergabedatei ragt aus ihrem Gitter</translation>
+    </message>
+    <message>
+        <source>not an answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>%1 does not exist; check the path.</source>
+        <translation>%1 existiert nicht; prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>There is no label table named %1; the tables are totalsegmentator, totalsegmentator-v1 and totalsegmentator-mr.</source>
+        <translation>Es gibt keine Labeltabelle namens %1; die Tabellen sind totalsegmentator, totalsegmentator-v1 und totalsegmentator-mr.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; check that it is a file and that you may read it.</source>
+        <translation>%1 lässt sich nicht öffnen; prüfen Sie, ob es eine Datei ist und Sie sie lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read to its end; check the disk or the network.</source>
+        <translation>%1 lässt sich nicht bis zum Ende lesen; prüfen Sie Platte oder Netz.</translation>
+    </message>
+    <message>
+        <source>%1 is cut off: its compressed data end early; copy or export it again.</source>
+        <translation>%1 ist abgeschnitten: Die komprimierten Daten enden zu früh; kopieren oder exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: its compressed data or their checksum are wrong; copy or export it again.</source>
+        <translation>%1 ist beschädigt: Die komprimierten Daten oder ihre Prüfsumme stimmen nicht; kopieren oder exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 holds more behind the end of its compressed data; copy or export it again.</source>
+        <translation>%1 enthält mehr hinter dem Ende der komprimierten Daten; kopieren oder exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 %2; copy or export the series again.</source>
+        <translation>%1 %2; kopieren oder exportieren Sie die Serie erneut.</translation>
+    </message>
+    <message>
+        <source>holds colours or inverted grey (%1) instead of plain grey values</source>
+        <translation>enthält Farben oder umgekehrtes Grau (%1) statt einfacher Grauwerte</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 frames in one file, which is not read; export the series as one file per slice.</source>
+        <translation>%1 enthält %2 Bilder in einer Datei, was nicht gelesen wird; exportieren Sie die Serie mit einer Datei je Schicht.</translation>
+    </message>
+    <message>
+        <source>has an impossible number of bits per pixel in its header</source>
+        <translation>hat eine unmögliche Zahl von Bits je Pixel im Kopf</translation>
+    </message>
+    <message>
+        <source>is cut off: it holds no compressed frame</source>
+        <translation>ist abgeschnitten: Das komprimierte Bild fehlt</translation>
+    </message>
+    <message>
+        <source>is cut off within its compressed frame</source>
+        <translation>ist mitten im komprimierten Bild abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is cut off: its compressed frame has no end</source>
+        <translation>ist abgeschnitten: Das komprimierte Bild hat kein Ende</translation>
+    </message>
+    <message>
+        <source>is cut off: it holds no pixels</source>
+        <translation>ist abgeschnitten: Es enthält keine Pixel</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes of pixels instead of %2</source>
+        <translation>enthält %1 Byte Pixel statt %2</translation>
+    </message>
+    <message>
+        <source>stores big-endian pixels in a way that is not read</source>
+        <translation>speichert Pixel in der Bytefolge Big Endian auf eine Weise, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>is cut off within its pixels</source>
+        <translation>ist mitten in den Pixeln abgeschnitten</translation>
+    </message>
+    <message>
+        <source>holds pixels of an unknown kind</source>
+        <translation>enthält Pixel unbekannter Art</translation>
+    </message>
+    <message>
+        <source>is damaged, or compressed in a way that is not read</source>
+        <translation>ist beschädigt oder auf eine Weise komprimiert, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>holds no Hounsfield units: with its rescale slope of %1 and intercept of %2 its values leave -32768..32767</source>
+        <translation>enthält keine Hounsfield-Einheiten: Mit der Steigung %1 und dem Achsenabschnitt %2 verlassen die Werte -32768..32767</translation>
+    </message>
+    <message>
+        <source>has pixels that are not finite after rescaling</source>
+        <translation>hat Pixel, die nach dem Umrechnen nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>%1 holds an image with many grey values, not a mask; open its folder as a CT.</source>
+        <translation>%1 enthält ein Bild mit vielen Grauwerten, keine Maske; öffnen Sie den Ordner als CT.</translation>
+    </message>
+    <message>
+        <source>%1 holds mask series such as %2 and no CT; open it as a segmentation.</source>
+        <translation>%1 enthält Maskenserien wie %2 und keine CT; öffnen Sie den Ordner als Segmentierung.</translation>
+    </message>
+    <message>
+        <source>%1 mixes slices of different patients (the %2 of %3 and %4 differ); give the folder of one series.</source>
+        <translation>%1 mischt Schichten verschiedener Patienten (%2 von %3 und %4 verschieden); wählen Sie den Ordner einer Serie.</translation>
+    </message>
+    <message>
+        <source>%1 mixes slices of different frames of reference (the %2 of %3 and %4 differ); give the folder of one series.</source>
+        <translation>%1 mischt Schichten verschiedener Bezugssysteme (%2 von %3 und %4 verschieden); wählen Sie den Ordner einer Serie.</translation>
+    </message>
+    <message>
+        <source>%1 is a series of modality %2, not CT; choose the CT series.</source>
+        <translation>%1 ist eine Serie der Modalität %2, keine CT; wählen Sie die CT-Serie.</translation>
+    </message>
+    <message>
+        <source>%1 holds masks on different grids: %2 has %3 and the others have %4; give masks of one CT.</source>
+        <translation>%1 enthält Masken auf verschiedenen Gittern: %2 hat %3 und die anderen haben %4; wählen Sie Masken einer CT.</translation>
+    </message>
+    <message>
+        <source>%1 holds masks of different patients (the %2 of %3 differs); check the folder, or read it all the same.</source>
+        <translation>%1 enthält Masken verschiedener Patienten (%2 von %3 weicht ab); prüfen Sie den Ordner oder lesen Sie ihn trotzdem.</translation>
+    </message>
+    <message>
+        <source>%1 holds masks of different frames of reference (the %2 of %3 differs); check the folder, or read it all the same.</source>
+        <translation>%1 enthält Masken verschiedener Bezugssysteme (%2 von %3 weicht ab); prüfen Sie den Ordner oder lesen Sie ihn trotzdem.</translation>
+    </message>
+    <message>
+        <source>does not say how it lies in the patient (no %1)</source>
+        <translation>sagt nicht, wie es im Patienten liegt (Angabe fehlt: %1)</translation>
+    </message>
+    <message>
+        <source>has a broken %1: it is not made of finite numbers</source>
+        <translation>hat eine beschädigte Angabe (%1): Sie besteht nicht aus endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
+        <source>pixel spacing</source>
+        <translation>Pixelabstand</translation>
+    </message>
+    <message>
+        <source>has image axes that are not perpendicular unit vectors</source>
+        <translation>hat Bildachsen, die keine senkrechten Einheitsvektoren sind</translation>
+    </message>
+    <message>
+        <source>has a pixel spacing that is not above zero</source>
+        <translation>hat einen Pixelabstand, der nicht über null liegt</translation>
+    </message>
+    <message>
+        <source>has a broken position: it lies more than 100 m from the scanner</source>
+        <translation>hat eine beschädigte Position: Sie liegt mehr als 100 m vom Scanner entfernt</translation>
+    </message>
+    <message>
+        <source>has a rescale slope or intercept that is not a usable number</source>
+        <translation>hat eine Steigung oder einen Achsenabschnitt zum Umrechnen, der keine brauchbare Zahl ist</translation>
+    </message>
+    <message>
+        <source>is cut off before its header</source>
+        <translation>ist vor dem Kopf abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is named like the slices beside it but is no DICOM any more</source>
+        <translation>heißt wie die Schichten daneben, ist aber kein DICOM mehr</translation>
+    </message>
+    <message>
+        <source>is damaged or cut off</source>
+        <translation>ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>has no rows or columns</source>
+        <translation>hat keine Zeilen oder Spalten</translation>
+    </message>
+    <message>
+        <source>%1 file(s) hold no DICOM image and were left out, such as %2.</source>
+        <translation>%1 Datei(en) enthalten kein DICOM-Bild und wurden ausgelassen, etwa %2.</translation>
+    </message>
+    <message>
+        <source>%1 is of no known format; give a DICOM folder, .nii, .nii.gz, .nrrd, .seg.nrrd, .mha or .mhd.</source>
+        <translation>%1 hat kein bekanntes Format; wählen Sie einen DICOM-Ordner, .nii, .nii.gz, .nrrd, .seg.nrrd, .mha oder .mhd.</translation>
+    </message>
+    <message>
+        <source>%1 is of no known format; give a DICOM folder, .nii, .nii.gz, .nrrd, .seg.nrrd, .mha or .mhd file.</source>
+        <translation>%1 hat kein bekanntes Format; wählen Sie einen DICOM-Ordner oder eine Datei .nii, .nii.gz, .nrrd, .seg.nrrd, .mha oder .mhd.</translation>
+    </message>
+    <message>
+        <source>%1 has an impossible grid of %2x%3x%4 voxels; export it again.</source>
+        <translation>%1 hat ein unmögliches Gitter von %2x%3x%4 Voxeln; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 promises %2 GiB of voxels, more than the %3 GiB that are allowed; crop or resample it first.</source>
+        <translation>%1 verspricht %2 GiB Voxel, mehr als die erlaubten %3 GiB; schneiden Sie das Bild zu oder verkleinern Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>%1 has a position or direction in its header that is not a finite number; export it again.</source>
+        <translation>%1 hat eine Position oder Richtung im Kopf, die keine endliche Zahl ist; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has a voxel size of zero in its header; export it again.</source>
+        <translation>%1 hat eine Voxelgröße von null im Kopf; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has axes that are not at right angles (%2 mm at the corners); resample it to a straight grid first.</source>
+        <translation>%1 hat Achsen, die nicht rechtwinklig sind (%2 mm an den Ecken); rechnen Sie das Bild zuerst auf ein gerades Gitter um.</translation>
+    </message>
+    <message>
+        <source>The axes were set at right angles (%1 mm at the corners).</source>
+        <translation>Die Achsen wurden rechtwinklig gestellt (%1 mm an den Ecken).</translation>
+    </message>
+    <message>
+        <source>%1 is cut off: it holds %2 of the %3 bytes of voxels its header promises; copy or export it again.</source>
+        <translation>%1 ist abgeschnitten: Enthalten sind %2 der %3 Byte Voxel, die der Kopf verspricht; kopieren oder exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>%1 holds voxels that are not finite numbers; export it again.</source>
+        <translation>%1 enthält Voxel, die keine endlichen Zahlen sind; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 holds more than the %2 bytes of voxels its header promises; copy or export it again.</source>
+        <translation>%1 enthält mehr als die %2 Byte Voxel, die der Kopf verspricht; kopieren oder exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has a header that ITK reads otherwise: %2; export it again.</source>
+        <translation>%1 hat einen Kopf, den ITK anders liest: %2; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 voxels instead of %2</source>
+        <translation>%1 Voxel statt %2</translation>
+    </message>
+    <message>
+        <source>%1 values per voxel instead of %2</source>
+        <translation>%1 Werte je Voxel statt %2</translation>
+    </message>
+    <message>
+        <source>voxels of another type</source>
+        <translation>Voxel eines anderen Typs</translation>
+    </message>
+    <message>
+        <source>a corner lies %1 mm from ours</source>
+        <translation>eine Ecke liegt %1 mm von unserer</translation>
+    </message>
+    <message>
+        <source>a corner lies far from ours</source>
+        <translation>eine Ecke liegt weit von unserer</translation>
+    </message>
+    <message>
+        <source>%1 has a header that ITK reads otherwise: %2, as a voxel size (pixdim) unlike the sform makes it do; choose sform or qform.</source>
+        <translation>%1 hat einen Kopf, den ITK anders liest: %2, wie es eine Voxelgröße (pixdim) bewirkt, die der sform widerspricht; wählen Sie sform oder qform.</translation>
+    </message>
+    <message>
+        <source>%1 holds other voxels than ITK finds in it; export it again.</source>
+        <translation>%1 enthält andere Voxel, als ITK darin findet; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 names its data file &quot;%2&quot;, which is not a plain name beside it; save header and data as one file.</source>
+        <translation>%1 nennt als Datendatei „%2“, was kein einfacher Name daneben ist; speichern Sie Kopf und Daten in einer Datei.</translation>
+    </message>
+    <message>
+        <source>%1 names its data file &quot;%2&quot;, which is not beside it; copy both files.</source>
+        <translation>%1 nennt als Datendatei „%2“, die nicht daneben liegt; kopieren Sie beide Dateien.</translation>
+    </message>
+    <message>
+        <source>%1 holds neither mask series nor organ files; choose the folder that holds the masks.</source>
+        <translation>%1 enthält weder Maskenserien noch Organdateien; wählen Sie den Ordner mit den Masken.</translation>
+    </message>
+    <message>
+        <source>%1 is a single DICOM file, which is not read as a segmentation; give a folder of mask series, or save the segmentation as .seg.nrrd or .nii.gz.</source>
+        <translation>%1 ist eine einzelne DICOM-Datei, die nicht als Segmentierung gelesen wird; wählen Sie einen Ordner mit Maskenserien oder speichern Sie die Segmentierung als .seg.nrrd oder .nii.gz.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be decoded by ITK; export it again.</source>
+        <translation>%1 lässt sich von ITK nicht dekodieren; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has a JPEG 2000 frame that is damaged or cut off; copy or export the series again.</source>
+        <translation>%1 hat ein JPEG-2000-Bild, das beschädigt oder abgeschnitten ist; kopieren oder exportieren Sie die Serie erneut.</translation>
+    </message>
+    <message>
+        <source>%1 holds values that are not whole numbers, so it is an image and not a label map; open it as a CT.</source>
+        <translation>%1 enthält Werte, die keine ganzen Zahlen sind, ist also ein Bild und kein Labelbild; öffnen Sie die Datei als CT.</translation>
+    </message>
+    <message>
+        <source>%1 holds values such as %2, so it is an image and not a label map; open it as a CT.</source>
+        <translation>%1 enthält Werte wie %2, ist also ein Bild und kein Labelbild; öffnen Sie die Datei als CT.</translation>
+    </message>
+    <message>
+        <source>%1 holds more than %2 values, so it is an image and not a label map; open it as a CT.</source>
+        <translation>%1 enthält mehr als %2 Werte, ist also ein Bild und kein Labelbild; öffnen Sie die Datei als CT.</translation>
+    </message>
+    <message>
+        <source>%1 holds no label %2 that could be given a kind; its structures go by name: %3.</source>
+        <translation>%1 enthält kein Label %2, das eine Art bekommen könnte; die Strukturen darin haben Namen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 holds no label %2 that could be given a kind; its labels are %3.</source>
+        <translation>%1 enthält kein Label %2, das eine Art bekommen könnte; die Labels darin sind %3.</translation>
+    </message>
+    <message>
+        <source>%1 holds no structure named &quot;%2&quot; that could be given a kind; it holds %3.</source>
+        <translation>%1 enthält keine Struktur namens „%2“, die eine Art bekommen könnte; enthalten sind %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is empty: no voxel is set.</source>
+        <translation>„%1“ ist leer: Kein Voxel ist gesetzt.</translation>
+    </message>
+    <message>
+        <source>%1 holds no label: no voxel is set; choose the file with the segmentation.</source>
+        <translation>%1 enthält kein Label: Kein Voxel ist gesetzt; wählen Sie die Datei mit der Segmentierung.</translation>
+    </message>
+    <message>
+        <source>%1 holds several layers; a folder of masks holds one organ per file, so open this file by itself.</source>
+        <translation>%1 enthält mehrere Ebenen; ein Maskenordner enthält ein Organ je Datei, öffnen Sie diese Datei also für sich.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 labels; a folder of masks holds one organ per file, so open this file by itself.</source>
+        <translation>%1 enthält %2 Labels; ein Maskenordner enthält ein Organ je Datei, öffnen Sie diese Datei also für sich.</translation>
+    </message>
+    <message>
+        <source>%1 has a line without &quot;=&quot; in its MetaImage header; export it again.</source>
+        <translation>%1 hat eine Zeile ohne „=“ im MetaImage-Kopf; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has a header field with a name of more than 255 bytes; it is damaged, so export it again.</source>
+        <translation>%1 hat ein Kopffeld mit einem Namen von mehr als 255 Byte und ist beschädigt; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 holds voxels of the MetaImage type &quot;%2&quot;, which is not read; save it as integers or floats.</source>
+        <translation>%1 enthält Voxel des MetaImage-Typs „%2“, der nicht gelesen wird; speichern Sie ganze Zahlen oder Gleitkommazahlen.</translation>
+    </message>
+    <message>
+        <source>%1 has an unknown number of dimensions; save the one volume with three that is meant.</source>
+        <translation>%1 hat eine unbekannte Zahl von Dimensionen; speichern Sie das eine gemeinte Volumen mit dreien.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 dimensions; save the one volume with three that is meant.</source>
+        <translation>%1 hat %2 Dimensionen; speichern Sie das eine gemeinte Volumen mit dreien.</translation>
+    </message>
+    <message>
+        <source>%1 has several values per voxel; save one value per voxel.</source>
+        <translation>%1 hat mehrere Werte je Voxel; speichern Sie einen Wert je Voxel.</translation>
+    </message>
+    <message>
+        <source>%1 has a size that is not a whole number in its MetaImage header; export it again.</source>
+        <translation>%1 hat eine Größe im MetaImage-Kopf, die keine ganze Zahl ist; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 says nowhere how it lies in the patient (Offset, TransformMatrix, ElementSpacing); export it again with its orientation.</source>
+        <translation>%1 sagt nirgends, wie es im Patienten liegt (Offset, TransformMatrix, ElementSpacing); exportieren Sie die Daten erneut mit ihrer Orientierung.</translation>
+    </message>
+    <message>
+        <source>%1 has a voxel size that is not above zero in its MetaImage header; export it again.</source>
+        <translation>%1 hat eine Voxelgröße im MetaImage-Kopf, die nicht über null liegt; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has an axis in its TransformMatrix that is not a unit vector; resample it to a straight grid first.</source>
+        <translation>%1 hat eine Achse in der TransformMatrix, die kein Einheitsvektor ist; rechnen Sie das Bild zuerst auf ein gerades Gitter um.</translation>
+    </message>
+    <message>
+        <source>%1 is a MetaIO file of type &quot;%2&quot;, not an image; give the image.</source>
+        <translation>%1 ist eine MetaIO-Datei vom Typ „%2“, kein Bild; wählen Sie das Bild.</translation>
+    </message>
+    <message>
+        <source>%1 stores its voxels as text or behind a foreign header, which is not read; save it as one .mha file.</source>
+        <translation>%1 speichert die Voxel als Text oder hinter einem fremden Kopf, was nicht gelesen wird; speichern Sie eine Datei .mha.</translation>
+    </message>
+    <message>
+        <source>%1 spreads its slices over several files, which is not read; save it as one .mha file.</source>
+        <translation>%1 verteilt die Schichten auf mehrere Dateien, was nicht gelesen wird; speichern Sie eine Datei .mha.</translation>
+    </message>
+    <message>
+        <source>%1 is cut off within its NIfTI header; copy or export it again.</source>
+        <translation>%1 ist mitten im NIfTI-Kopf abgeschnitten; kopieren oder exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is NIfTI-2, which is not read; save it as NIfTI-1.</source>
+        <translation>%1 ist NIfTI-2, was nicht gelesen wird; speichern Sie NIfTI-1.</translation>
+    </message>
+    <message>
+        <source>%1 is one half of a .hdr/.img pair; save it as one .nii file.</source>
+        <translation>%1 ist die Hälfte eines Paares .hdr/.img; speichern Sie eine Datei .nii.</translation>
+    </message>
+    <message>
+        <source>%1 is not a NIfTI file although its name says so; export it again.</source>
+        <translation>%1 ist keine NIfTI-Datei, obwohl der Name das sagt; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 holds voxels of NIfTI type %2, which are not single numbers; save it as integers or floats.</source>
+        <translation>%1 enthält Voxel des NIfTI-Typs %2, die keine einzelnen Zahlen sind; speichern Sie ganze Zahlen oder Gleitkommazahlen.</translation>
+    </message>
+    <message>
+        <source>%1 contradicts itself about the bits per voxel in its header; export it again.</source>
+        <translation>%1 widerspricht sich im Kopf über die Bits je Voxel; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 dimensions; a volume with three is needed.</source>
+        <translation>%1 hat %2 Dimensionen; gebraucht wird ein Volumen mit dreien.</translation>
+    </message>
+    <message>
+        <source>%1 is a time series or has several values per voxel (dimension %2 is %3); save the one volume that is meant.</source>
+        <translation>%1 ist eine Zeitreihe oder hat mehrere Werte je Voxel (Dimension %2 ist %3); speichern Sie das eine gemeinte Volumen.</translation>
+    </message>
+    <message>
+        <source>%1 does not say how it lies in the patient: its %2; export it again.</source>
+        <translation>%1 sagt nicht, wie es im Patienten liegt: %2; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>sform holds a number that is not finite (NaN or infinite)</source>
+        <translation>die sform enthält eine Zahl, die nicht endlich ist (NaN oder unendlich)</translation>
+    </message>
+    <message>
+        <source>voxel size (pixdim) holds a number that is not finite (NaN or infinite)</source>
+        <translation>die Voxelgröße (pixdim) enthält eine Zahl, die nicht endlich ist (NaN oder unendlich)</translation>
+    </message>
+    <message>
+        <source>voxel size (pixdim) is zero</source>
+        <translation>die Voxelgröße (pixdim) ist null</translation>
+    </message>
+    <message>
+        <source>qform holds a number that is not finite (NaN or infinite)</source>
+        <translation>die qform enthält eine Zahl, die nicht endlich ist (NaN oder unendlich)</translation>
+    </message>
+    <message>
+        <source>%1 says nowhere how it lies in the patient (no sform, no qform); export it again with its orientation.</source>
+        <translation>%1 sagt nirgends, wie es im Patienten liegt (keine sform, keine qform); exportieren Sie die Daten erneut mit ihrer Orientierung.</translation>
+    </message>
+    <message>
+        <source>%1 lies in two places: its sform and qform are %2 mm apart; choose sform or qform.</source>
+        <translation>%1 liegt an zwei Orten: sform und qform sind %2 mm auseinander; wählen Sie sform oder qform.</translation>
+    </message>
+    <message>
+        <source>%1 has an impossible data offset in its NIfTI header; export it again.</source>
+        <translation>%1 hat einen unmöglichen Datenanfang im NIfTI-Kopf; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is cut off before its voxels; copy or export it again.</source>
+        <translation>%1 ist vor den Voxeln abgeschnitten; kopieren oder exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is not a NRRD file although its name says so; export it again.</source>
+        <translation>%1 ist keine NRRD-Datei, obwohl der Name das sagt; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has no &quot;%2&quot; in its NRRD header; export it again.</source>
+        <translation>%1 hat kein „%2“ im NRRD-Kopf; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 holds voxels of NRRD type &quot;%2&quot;, which is not read; save it as integers or floats.</source>
+        <translation>%1 enthält Voxel des NRRD-Typs „%2“, der nicht gelesen wird; speichern Sie ganze Zahlen oder Gleitkommazahlen.</translation>
+    </message>
+    <message>
+        <source>%1 says nowhere how it lies in the patient (no &quot;space&quot;); export it again with its orientation.</source>
+        <translation>%1 sagt nirgends, wie es im Patienten liegt (kein „space“); exportieren Sie die Daten erneut mit ihrer Orientierung.</translation>
+    </message>
+    <message>
+        <source>%1 lies in the space &quot;%2&quot;, which is not read; save it in LPS or RAS.</source>
+        <translation>%1 liegt im Raum „%2“, der nicht gelesen wird; speichern Sie in LPS oder RAS.</translation>
+    </message>
+    <message>
+        <source>%1 has no vector in its header field &quot;%2&quot;; export it again.</source>
+        <translation>%1 hat keinen Vektor im Kopffeld „%2“; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 does not have one direction and kind per axis in its NRRD header; export it again.</source>
+        <translation>%1 hat im NRRD-Kopf nicht je Achse eine Richtung und eine Art; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is a time series; save the one volume that is meant.</source>
+        <translation>%1 ist eine Zeitreihe; speichern Sie das eine gemeinte Volumen.</translation>
+    </message>
+    <message>
+        <source>%1 is a time series or has several values per voxel; save the one volume that is meant.</source>
+        <translation>%1 ist eine Zeitreihe oder hat mehrere Werte je Voxel; speichern Sie das eine gemeinte Volumen.</translation>
+    </message>
+    <message>
+        <source>%1 does not have three axes with a direction in its NRRD header; export it again.</source>
+        <translation>%1 hat im NRRD-Kopf nicht drei Achsen mit einer Richtung; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has a size that is not a whole number in its NRRD header; export it again.</source>
+        <translation>%1 hat eine Größe im NRRD-Kopf, die keine ganze Zahl ist; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 gives its lengths in %2; save it in mm.</source>
+        <translation>%1 gibt die Längen in %2 an; speichern Sie in mm.</translation>
+    </message>
+    <message>
+        <source>%1 has no layer %2 for its segment &quot;%3&quot;; export it again.</source>
+        <translation>%1 hat keine Ebene %2 für das Segment „%3“; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 gives no byte order in its NRRD header; export it again.</source>
+        <translation>%1 nennt im NRRD-Kopf keine Bytefolge; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 skips part of its data (&quot;%2&quot;), which is not read; save it as one plain .nrrd file.</source>
+        <translation>%1 überspringt einen Teil der Daten („%2“), was nicht gelesen wird; speichern Sie eine einfache Datei .nrrd.</translation>
+    </message>
+    <message>
+        <source>%1 is stored with the encoding &quot;%2&quot;; save it as raw or gzip.</source>
+        <translation>%1 ist mit der Kodierung „%2“ gespeichert; speichern Sie mit raw oder gzip.</translation>
+    </message>
+    <message>
+        <source>does not say to which series it belongs</source>
+        <translation>sagt nicht, zu welcher Serie es gehört</translation>
+    </message>
+    <message>
+        <source>says that it belongs to another series than the rest</source>
+        <translation>gibt an, zu einer anderen Serie als der Rest zu gehören</translation>
+    </message>
+    <message>
+        <source>has %1 rows and %2 columns, unlike the other slices of its series (%3 and %4)</source>
+        <translation>hat %1 Zeilen und %2 Spalten, anders als die übrigen Schichten der Serie (%3 und %4)</translation>
+    </message>
+    <message>
+        <source>is of modality %1, unlike the other slices of its series</source>
+        <translation>hat die Modalität %1, anders als die übrigen Schichten der Serie</translation>
+    </message>
+    <message>
+        <source>has a pixel spacing of %1 x %2 mm, unlike the other slices of its series (%3 x %4 mm)</source>
+        <translation>hat einen Pixelabstand von %1 x %2 mm, anders als die übrigen Schichten der Serie (%3 x %4 mm)</translation>
+    </message>
+    <message>
+        <source>has another orientation than the other slices of its series</source>
+        <translation>hat eine andere Orientierung als die übrigen Schichten der Serie</translation>
+    </message>
+    <message>
+        <source>%1 lies where the series of %2 lacks a slice or goes on, but says that it is a localizer; export the series again, or take that file out of the folder.</source>
+        <translation>%1 liegt dort, wo der Serie von %2 eine Schicht fehlt oder sie weitergeht, gibt aber an, ein Übersichtsbild zu sein; exportieren Sie die Serie erneut oder nehmen Sie diese Datei aus dem Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 lies where the series of %2 lacks a slice or goes on, but says that it is of another series; export the series again, or take that file out of the folder.</source>
+        <translation>%1 liegt dort, wo der Serie von %2 eine Schicht fehlt oder sie weitergeht, gibt aber an, zu einer anderen Serie zu gehören; exportieren Sie die Serie erneut oder nehmen Sie diese Datei aus dem Ordner.</translation>
+    </message>
+    <message>
+        <source>%1, such as %2</source>
+        <translation>%1, etwa %2</translation>
+    </message>
+    <message>
+        <source>%1 image</source>
+        <translation>%1 Bild</translation>
+    </message>
+    <message>
+        <source>%1 images</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source>%1 image (localizer)</source>
+        <translation>%1 Bild (Übersicht)</translation>
+    </message>
+    <message>
+        <source>%1 images (localizer)</source>
+        <translation>%1 Bilder (Übersicht)</translation>
+    </message>
+    <message>
+        <source>%1 image of the series &quot;%2&quot;</source>
+        <translation>%1 Bild der Serie „%2“</translation>
+    </message>
+    <message>
+        <source>%1 images of the series &quot;%2&quot;</source>
+        <translation>%1 Bilder der Serie „%2“</translation>
+    </message>
+    <message>
+        <source>%1 image of the series %2</source>
+        <translation>%1 Bild der Serie %2</translation>
+    </message>
+    <message>
+        <source>%1 images of the series %2</source>
+        <translation>%1 Bilder der Serie %2</translation>
+    </message>
+    <message>
+        <source>%1 holds two series of different patients: %2, and %3; open the folder of one, or one slice of it.</source>
+        <translation>%1 enthält zwei Serien verschiedener Patienten: %2, und %3; öffnen Sie den Ordner einer Serie oder eine Schicht daraus.</translation>
+    </message>
+    <message>
+        <source>%1 holds two series: %2, and %3; open the folder of one, or one slice of it.</source>
+        <translation>%1 enthält zwei Serien: %2, und %3; öffnen Sie den Ordner einer Serie oder eine Schicht daraus.</translation>
+    </message>
+    <message>
+        <source>%1 holds no DICOM slice that can be read as a volume; choose the folder with the slices.</source>
+        <translation>%1 enthält keine DICOM-Schicht, die sich als Volumen lesen lässt; wählen Sie den Ordner mit den Schichten.</translation>
+    </message>
+    <message>
+        <source>%1 holds only localizer images; choose the folder with the slices.</source>
+        <translation>%1 enthält nur Übersichtsbilder; wählen Sie den Ordner mit den Schichten.</translation>
+    </message>
+    <message>
+        <source>Left out: %1.</source>
+        <translation>Ausgelassen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not a volume: all %2 images lie at one position; choose the series with the volume.</source>
+        <translation>%1 ist kein Volumen: Alle %2 Bilder liegen an einer Position; wählen Sie die Serie mit dem Volumen.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 images at every position, so it is a time series or several phases; give the folder of one phase.</source>
+        <translation>%1 enthält %2 Bilder an jeder Position, ist also eine Zeitreihe oder hat mehrere Phasen; wählen Sie den Ordner einer Phase.</translation>
+    </message>
+    <message>
+        <source>%1 slice(s) lie where another one lies already (%2)</source>
+        <translation>%1 Schicht(en) liegen, wo schon eine andere liegt (%2)</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>between %1 and %2 there are %3 mm instead of %4 mm (a missing or uneven slice)</source>
+        <translation>zwischen %1 und %2 liegen %3 mm statt %4 mm (eine fehlende oder ungleiche Schicht)</translation>
+    </message>
+    <message>
+        <source>the slice %1 lies %2 mm off the even spacing</source>
+        <translation>die Schicht %1 liegt %2 mm neben dem gleichmäßigen Abstand</translation>
+    </message>
+    <message>
+        <source>%1 lies %2 mm from %3, so one of the two has a broken position; copy or export the series again.</source>
+        <translation>%1 liegt %2 mm von %3 entfernt, eine der beiden hat also eine beschädigte Position; kopieren oder exportieren Sie die Serie erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is no regular volume: %2; choose another series, or read it all the same, resampled to a regular grid.</source>
+        <translation>%1 ist kein gleichmäßiges Volumen: %2; wählen Sie eine andere Serie oder lesen Sie diese trotzdem, umgerechnet auf ein gleichmäßiges Gitter.</translation>
+    </message>
+    <message>
+        <source>%1, and %2</source>
+        <translation>%1, und %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a volume: it holds a single slice; choose the folder with the whole series.</source>
+        <translation>%1 ist kein Volumen: Es enthält eine einzige Schicht; wählen Sie den Ordner mit der ganzen Serie.</translation>
+    </message>
+    <message>
+        <source>the gantry was tilted by %1 degrees</source>
+        <translation>die Gantry war um %1 Grad gekippt</translation>
+    </message>
+    <message>
+        <source>slices are shifted sideways by up to %1 mm</source>
+        <translation>Schichten sind um bis zu %1 mm seitlich verschoben</translation>
+    </message>
+    <message>
+        <source>Resampled to a regular grid with consent: %1.</source>
+        <translation>Mit Einwilligung auf ein gleichmäßiges Gitter umgerechnet: %1.</translation>
+    </message>
+    <message>
+        <source>%1 has a header without an end; it is cut off or damaged, so copy or export it again.</source>
+        <translation>%1 hat einen Kopf ohne Ende, ist also abgeschnitten oder beschädigt; kopieren oder exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 in its header field &quot;%3&quot;; export it again.</source>
+        <translation>%1 hat %2 im Kopffeld „%3“; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>a text such as &quot;%1&quot; for a number</source>
+        <translation>einen Text wie „%1“ statt einer Zahl</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 numbers</source>
+        <translation>%1 statt %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 has no whole number in its header field &quot;%2&quot;; export it again.</source>
+        <translation>%1 hat keine ganze Zahl im Kopffeld „%2“; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 holds no Hounsfield units: with its scale of %2 its values leave -32768..32767 by far; export it again.</source>
+        <translation>%1 enthält keine Hounsfield-Einheiten: Mit dem Maßstab %2 verlassen die Werte -32768..32767 bei Weitem; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 holds several layers and is a segmentation, not a CT; open it as a segmentation.</source>
+        <translation>%1 enthält mehrere Ebenen und ist eine Segmentierung, keine CT; öffnen Sie die Datei als Segmentierung.</translation>
+    </message>
+    <message>
+        <source>%1 holds the same value in every voxel and is no CT; choose another series.</source>
+        <translation>%1 enthält in jedem Voxel denselben Wert und ist keine CT; wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>%1 holds only the values %2 and %3, so it is a mask and no CT; open it as a segmentation.</source>
+        <translation>%1 enthält nur die Werte %2 und %3, ist also eine Maske und keine CT; öffnen Sie die Datei als Segmentierung.</translation>
+    </message>
+    <message>
+        <source>%1 voxels lay beyond -32768..32767 HU and were set to the nearest of these.</source>
+        <translation>%1 Voxel lagen außerhalb von -32768..32767 HE und wurden auf den nächsten dieser Werte gesetzt.</translation>
+    </message>
+    <message>
+        <source>No voxel is below 0 HU (%1 to %2): these may be no Hounsfield units.</source>
+        <translation>Kein Voxel liegt unter 0 HE (%1 bis %2): Das sind vielleicht keine Hounsfield-Einheiten.</translation>
+    </message>
+    <message>
+        <source>No voxel is above %1 HU: these may be no Hounsfield units.</source>
+        <translation>Kein Voxel liegt über %1 HE: Das sind vielleicht keine Hounsfield-Einheiten.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another patient than the CT %2 (their %3 differ); choose the right files, or read them all the same.</source>
+        <translation>%1 gehört zu einem anderen Patienten als die CT %2 (verschieden: %3); wählen Sie die richtigen Dateien oder lesen Sie diese trotzdem.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another frame of reference than the CT %2 (their %3 differ); choose the right files, or read them all the same.</source>
+        <translation>%1 gehört zu einem anderen Bezugssystem als die CT %2 (verschieden: %3); wählen Sie die richtigen Dateien oder lesen Sie diese trotzdem.</translation>
+    </message>
+    <message>
+        <source>PatientID and FrameOfReferenceUID</source>
+        <translation>PatientID und FrameOfReferenceUID</translation>
+    </message>
+    <message>
+        <source>PatientID</source>
+        <translation>PatientID</translation>
+    </message>
+    <message>
+        <source>FrameOfReferenceUID</source>
+        <translation>FrameOfReferenceUID</translation>
+    </message>
+    <message>
+        <source>Labels and CT do not both name their patient; they are matched by their geometry alone.</source>
+        <translation>Labels und CT nennen nicht beide ihren Patienten; sie sind nur nach ihrer Lage zugeordnet.</translation>
+    </message>
+    <message>
+        <source>%1 does not lie on the grid of the CT (labels: %2; CT: %3); choose the right files, or read them all the same.</source>
+        <translation>%1 liegt nicht auf dem Gitter der CT (Labels: %2; CT: %3); wählen Sie die richtigen Dateien oder lesen Sie diese trotzdem.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no voxel left on the CT&apos;s grid.</source>
+        <translation>„%1“ hat auf dem Gitter der CT kein Voxel mehr.</translation>
+    </message>
+    <message>
+        <source>Labels were resampled (nearest) with consent from %1 to the CT&apos;s grid of %2.</source>
+        <translation>Die Labels wurden mit Einwilligung (nächstes Voxel) von %1 auf das Gitter der CT mit %2 umgerechnet.</translation>
+    </message>
+    <message>
+        <source>%1x%2x%3 voxels of %4x%5x%6 mm at (%7, %8, %9)</source>
+        <translation>%1x%2x%3 Voxel zu %4x%5x%6 mm bei (%7; %8; %9)</translation>
+    </message>
+    <message>
+        <source>%1 has an empty grid (%2); export it again.</source>
+        <translation>%1 hat ein leeres Gitter (%2); exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has a voxel spacing, origin or direction that is not a finite number; export it again.</source>
+        <translation>%1 hat einen Voxelabstand, einen Ursprung oder eine Richtung, die keine endliche Zahl ist; exportieren Sie die Daten erneut.</translation>
+    </message>
+    <message>
+        <source>%1 has image axes that are not perpendicular unit vectors; resample it to a straight grid first.</source>
+        <translation>%1 hat Bildachsen, die keine senkrechten Einheitsvektoren sind; rechnen Sie das Bild zuerst auf ein gerades Gitter um.</translation>
+    </message>
+    <message>
+        <source>The image</source>
+        <translation>Das Bild</translation>
+    </message>
+    <message>
+        <source>The case</source>
+        <translation>Der Fall</translation>
+    </message>
+    <message>
+        <source>%1: %2 mL lie outside the liver mask and are counted as liver.</source>
+        <translation>%1: %2 mL liegen außerhalb der Lebermaske und zählen als Leber.</translation>
+    </message>
+    <message>
+        <source>%1: %2 mL do not touch the liver and are not counted in it.</source>
+        <translation>%1: %2 mL berühren die Leber nicht und zählen nicht zu ihr.</translation>
+    </message>
+    <message>
+        <source>%1 and the vessels overlap by %2 mL; counted as lesion.</source>
+        <translation>%1 und die Gefäße überlappen um %2 mL; sie zählen als Läsion.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overlap by %3 mL; counted once.</source>
+        <translation>%1 und %2 überlappen um %3 mL; sie zählen einmal.</translation>
+    </message>
+    <message>
+        <source>Vessels: %1 mL enclosed by the liver but outside its mask are counted as liver.</source>
+        <translation>Gefäße: %1 mL, von der Leber umschlossen, aber außerhalb ihrer Maske, zählen als Leber.</translation>
+    </message>
+    <message>
+        <source>Vessels: %1 mL of the liver mask are vessel not enclosed by liver, where trunks leave it, and are not counted.</source>
+        <translation>Gefäße: %1 mL der Lebermaske sind Gefäß, das nicht von Leber umschlossen ist, wo Stämme austreten, und zählen nicht.</translation>
+    </message>
+    <message>
+        <source>%1 holds no liver, or an empty one; choose a segmentation with a liver label.</source>
+        <translation>%1 enthält keine Leber oder eine leere; wählen Sie eine Segmentierung mit einem Leberlabel.</translation>
+    </message>
+    <message>
+        <source>The number of smoothing iterations is %1; choose 0 to 1000.</source>
+        <translation>Die Zahl der Glättungsschritte ist %1; wählen Sie 0 bis 1000.</translation>
+    </message>
+    <message>
+        <source>One iteration of the windowed sinc filter collapses the surface; choose 0, or 2 to 1000.</source>
+        <translation>Ein einziger Schritt des Sinc-Filters lässt die Oberfläche zusammenfallen; wählen Sie 0 oder 2 bis 1000.</translation>
+    </message>
+    <message>
+        <source>The decimation is %1; choose a share from 0 to 0.99.</source>
+        <translation>Die Dezimierung ist %1; wählen Sie einen Anteil von 0 bis 0,99.</translation>
+    </message>
+    <message>
+        <source>The mask is empty, so there is no surface to make; choose another structure.</source>
+        <translation>Die Maske ist leer, es gibt also keine Oberfläche zu erzeugen; wählen Sie eine andere Struktur.</translation>
+    </message>
+    <message>
+        <source>The mask has no voxel set; there is no surface to reconstruct.</source>
+        <translation>In der Maske ist kein Voxel gesetzt; es gibt keine Oberfläche zu rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>The cutting plane has no direction; place it again.</source>
+        <translation>Die Schnittebene hat keine Richtung; setzen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be cut because it has defects (%1); reconstruct it again.</source>
+        <translation>Das Netz lässt sich nicht schneiden, weil es Mängel hat (%1); rekonstruieren Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be cut cleanly by this plane; move the plane by a fraction of a millimetre.</source>
+        <translation>Das Netz lässt sich mit dieser Ebene nicht sauber schneiden; schieben Sie die Ebene um einen Bruchteil eines Millimeters.</translation>
+    </message>
+    <message>
+        <source>The surface is not a closed manifold, so it cannot be simplified; reconstruct it again.</source>
+        <translation>Die Oberfläche ist keine geschlossene Mannigfaltigkeit und lässt sich nicht vereinfachen; rekonstruieren Sie sie erneut.</translation>
+    </message>
+    <message>
+        <source>Simplification needs either a number of triangles or a distance.</source>
+        <translation>Das Vereinfachen braucht entweder eine Zahl von Dreiecken oder einen Abstand.</translation>
+    </message>
+    <message>
+        <source>Simplification needs 4 triangles or more, not %1.</source>
+        <translation>Das Vereinfachen braucht 4 Dreiecke oder mehr, nicht %1.</translation>
+    </message>
+    <message>
+        <source>The distance of simplification must be above 0 mm.</source>
+        <translation>Der Abstand des Vereinfachens muss über 0 mm liegen.</translation>
+    </message>
+    <message>
+        <source>The mesh has no triangles and encloses no volume; reconstruct it again.</source>
+        <translation>Das Netz hat keine Dreiecke und umschließt kein Volumen; rekonstruieren Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The mesh encloses no volume (%1); reconstruct it again or close it first.</source>
+        <translation>Das Netz umschließt kein Volumen (%1); rekonstruieren Sie es erneut oder schließen Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>open: no triangles</source>
+        <translation>offen: keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>orientation: inward</source>
+        <translation>Orientierung: nach innen</translation>
+    </message>
+    <message>
+        <source>open: %1 %2</source>
+        <translation>offen: %1 %2</translation>
+    </message>
+    <message>
+        <source>orientation: %1 %2</source>
+        <translation>Orientierung: %1 %2</translation>
+    </message>
+    <message>
+        <source>edge: %1 %2</source>
+        <translation>Kante: %1 %2</translation>
+    </message>
+    <message>
+        <source>vertex: %1 %2</source>
+        <translation>Punkt: %1 %2</translation>
+    </message>
+    <message>
+        <source>degenerate: %1 %2</source>
+        <translation>entartet: %1 %2</translation>
+    </message>
+    <message>
+        <source>self-intersection: %1 %2</source>
+        <translation>Selbstdurchdringung: %1 %2</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>edge is not manifold</source>
+        <translation>Kante ist nicht mannigfaltig</translation>
+    </message>
+    <message>
+        <source>edges are not manifold</source>
+        <translation>Kanten sind nicht mannigfaltig</translation>
+    </message>
+    <message>
+        <source>vertex is not manifold</source>
+        <translation>Punkt ist nicht mannigfaltig</translation>
+    </message>
+    <message>
+        <source>vertices are not manifold</source>
+        <translation>Punkte sind nicht mannigfaltig</translation>
+    </message>
+    <message>
+        <source>pair of triangles</source>
+        <translation>Paar Dreiecke</translation>
+    </message>
+    <message>
+        <source>pairs of triangles</source>
+        <translation>Paare Dreiecke</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The depth must lie between 5 and 10, not %1.</source>
+        <translation>Die Tiefe muss zwischen 5 und 10 liegen, nicht %1.</translation>
+    </message>
+    <message>
+        <source>The point weight must be a number of 0 or more.</source>
+        <translation>Das Punktgewicht muss eine Zahl von 0 oder mehr sein.</translation>
+    </message>
+    <message>
+        <source>The scale must be above 1 and at most 4, not %1.</source>
+        <translation>Der Maßstab muss über 1 und höchstens bei 4 liegen, nicht %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 self-intersections of smoothing undone by moving %3 vertices</source>
+        <translation>%1 von %2 Selbstdurchdringungen der Glättung durch Verschieben von %3 Punkten behoben</translation>
+    </message>
+    <message>
+        <source>PSR d=%1 paper</source>
+        <translation>PSR d=%1 wie im Artikel</translation>
+    </message>
+    <message>
+        <source>PSR d=%1 unbiased</source>
+        <translation>PSR d=%1 unverzerrt</translation>
+    </message>
+    <message>
+        <source>%1 screened %2</source>
+        <translation>%1 mit Punktgewicht %2</translation>
+    </message>
+    <message>
+        <source>MCSD %1 decimation %2 %</source>
+        <translation>MCSD %1, Dezimierung %2 %</translation>
+    </message>
+    <message>
+        <source>unsmoothed</source>
+        <translation>ungeglättet</translation>
+    </message>
+    <message>
+        <source>sinc %1</source>
+        <translation>Sinc %1</translation>
+    </message>
+    <message>
+        <source>Laplacian %1</source>
+        <translation>Laplace %1</translation>
+    </message>
+    <message>
+        <source>%1 smooth-first</source>
+        <translation>%1, erst geglättet</translation>
+    </message>
+    <message>
+        <source>%1 split normals</source>
+        <translation>%1, geteilte Normalen</translation>
+    </message>
+    <message>
+        <source>%1 voxel</source>
+        <translation>%1 Voxel</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 Voxel</translation>
+    </message>
+    <message>
+        <source>%1 piece</source>
+        <translation>%1 Teil</translation>
+    </message>
+    <message>
+        <source>%1 pieces</source>
+        <translation>%1 Teile</translation>
+    </message>
+    <message>
+        <source>%1 cavity</source>
+        <translation>%1 Hohlraum</translation>
+    </message>
+    <message>
+        <source>%1 cavities</source>
+        <translation>%1 Hohlräume</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lost: %3</source>
+        <translation>%1 von %2 verloren: %3</translation>
+    </message>
+    <message>
+        <source>%1 lost: %2</source>
+        <translation>%1 verloren: %2</translation>
+    </message>
+    <message>
+        <source>%1 in the mesh, %2 in the mask</source>
+        <translation>%1 im Netz, %2 in der Maske</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not represented: %3</source>
+        <translation>%1 von %2 nicht dargestellt: %3</translation>
+    </message>
+    <message>
+        <source>Euler number %1, the mask&apos;s %2</source>
+        <translation>Eulerzahl %1, die der Maske %2</translation>
+    </message>
+    <message>
+        <source>Euler number %1, the mask&apos;s %2 to %3</source>
+        <translation>Eulerzahl %1, die der Maske %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 thinner than three cells (%2 mm): %3</source>
+        <translation>%1 dünner als drei Zellen (%2 mm): %3</translation>
+    </message>
+    <message>
+        <source>only %1 % of the centreline lies inside the mesh</source>
+        <translation>nur %1 % der Mittellinie liegen im Netz</translation>
+    </message>
+    <message>
+        <source>touches the border of the image and is cut off there</source>
+        <translation>berührt den Rand des Bildes und ist dort abgeschnitten</translation>
+    </message>
+    <message>
+        <source>depth %1 used instead of %2: finer cells would be below half a voxel</source>
+        <translation>Tiefe %1 statt %2 verwendet: Feinere Zellen lägen unter einem halben Voxel</translation>
+    </message>
+    <message>
+        <source>volume %1 against the voxels</source>
+        <translation>Volumen %1 gegenüber den Voxeln</translation>
+    </message>
+    <message>
+        <source>decimation left out: at the default it broke the mesh (%1)</source>
+        <translation>Dezimierung weggelassen: Mit der Vorgabe zerstörte sie das Netz (%1)</translation>
+    </message>
+    <message>
+        <source>The data could not be compressed because zlib did not start; free some memory and try again.</source>
+        <translation>Die Daten ließen sich nicht komprimieren, weil zlib nicht startete; geben Sie Speicher frei und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The data could not be compressed because zlib reported an error; try again.</source>
+        <translation>Die Daten ließen sich nicht komprimieren, weil zlib einen Fehler meldete; versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>sample patient</source>
+        <translation>Beispielpatient</translation>
+    </message>
+    <message>
+        <source>marching cubes</source>
+        <translation>Marching Cubes</translation>
+    </message>
+    <message>
+        <source>smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>decimation</source>
+        <translation>Dezimierung</translation>
+    </message>
+    <message>
+        <source>marching cubes, smoothing, decimation</source>
+        <translation>Marching Cubes, Glättung, Dezimierung</translation>
+    </message>
+    <message>
+        <source>vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>CT</source>
+        <translation>CT</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Abtastung</translation>
+    </message>
+    <message>
+        <source>solve</source>
+        <translation>Lösung</translation>
+    </message>
+    <message>
+        <source>extract</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>checks</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>simplify</source>
+        <translation>Vereinfachung</translation>
+    </message>
+    <message>
+        <source>slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>headers</source>
+        <translation>Köpfe</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner fehlt</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei existiert bereits</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Speicherkontingent überschritten</translation>
+    </message>
+    <message>
+        <source>simplified from %1 to %2 triangles</source>
+        <translation>von %1 auf %2 Dreiecke vereinfacht</translation>
+    </message>
+    <message>
+        <source>more than %1 triangles are kept: with fewer the surface would cross itself or lose a piece</source>
+        <translation>mehr als %1 Dreiecke bleiben: Mit weniger würde sich die Oberfläche selbst durchdringen oder ein Teil verlieren</translation>
+    </message>
+    <message>
+        <source>%1, simplified to %2 triangles</source>
+        <translation>%1, vereinfacht auf %2 Dreiecke</translation>
+    </message>
+    <message>
+        <source>%1, simplified to %2 mm</source>
+        <translation>%1, vereinfacht auf %2 mm</translation>
+    </message>
+    <message>
+        <source>%1: it is not known what &quot;%2&quot; is; open the files again and choose its kind.</source>
+        <translation>%1: Es ist nicht bekannt, was „%2“ ist; öffnen Sie die Dateien erneut und wählen Sie die Art.</translation>
+    </message>
+    <message>
+        <source>%1 has no voxels and is not in the model.</source>
+        <translation>%1 hat keine Voxel und ist nicht im Modell.</translation>
+    </message>
+    <message>
+        <source>%1 is part of the parenchyma, as %2 is.</source>
+        <translation>%1 ist Teil des Parenchyms wie %2.</translation>
+    </message>
+    <message>
+        <source>%1 holds no liver, or an empty one; choose a segmentation with a liver, or open it again and choose Parenchyma where you are asked what a label is.</source>
+        <translation>%1 enthält keine Leber oder eine leere; wählen Sie eine Segmentierung mit einer Leber oder öffnen Sie sie erneut und wählen Sie Parenchym, wo Sie nach einem Label gefragt werden.</translation>
+    </message>
+    <message>
+        <source>Not part of a liver model: %1.</source>
+        <translation>Nicht Teil eines Lebermodells: %1.</translation>
+    </message>
+    <message>
+        <source>%1 has no mask in this case; read the segmentation again.</source>
+        <translation>%1 hat in diesem Fall keine Maske; lesen Sie die Segmentierung erneut.</translation>
+    </message>
+    <message>
+        <source>%1 (%2) is not on the grid of %3 (%4); choose the labels of this CT.</source>
+        <translation>%1 (%2) liegt nicht auf dem Gitter von %3 (%4); wählen Sie die Labels dieser CT.</translation>
+    </message>
+    <message>
+        <source>The model has no structure %1; build it from the segmentation of this case.</source>
+        <translation>Das Modell hat keine Struktur %1; erzeugen Sie es aus der Segmentierung dieses Falls.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written (%2): choose another folder or make room.</source>
+        <translation>„%1“ lässt sich nicht schreiben (%2): Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read (%2): check the path and your rights.</source>
+        <translation>„%1“ lässt sich nicht lesen (%2): Prüfen Sie den Pfad und Ihre Rechte.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a regular file: name a file.</source>
+        <translation>„%1“ ist keine gewöhnliche Datei: Nennen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is larger than 2 GiB and is not read: simplify it first.</source>
+        <translation>„%1“ ist größer als 2 GiB und wird nicht gelesen: Vereinfachen Sie das Netz zuerst.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; ended while it was being read: copy it again.</source>
+        <translation>„%1“ endete beim Lesen: Kopieren Sie die Datei erneut.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; %2: write the mesh again with the program it came from.</source>
+        <translation>„%1“ %2: Schreiben Sie das Netz mit dem Programm neu, aus dem es stammt.</translation>
+    </message>
+    <message>
+        <source>ends in the middle (%1 bytes)</source>
+        <translation>endet mittendrin (%1 Byte)</translation>
+    </message>
+    <message>
+        <source>The mesh has a coordinate that is no finite number: reconstruct the structure again.</source>
+        <translation>Das Netz hat eine Koordinate, die keine endliche Zahl ist: Rekonstruieren Sie die Struktur erneut.</translation>
+    </message>
+    <message>
+        <source>is no GLB 2.0 file of its own length</source>
+        <translation>ist keine GLB-2.0-Datei ihrer eigenen Länge</translation>
+    </message>
+    <message>
+        <source>does not begin with its JSON</source>
+        <translation>beginnt nicht mit dem JSON</translation>
+    </message>
+    <message>
+        <source>has no binary chunk after its JSON</source>
+        <translation>hat keinen Binärblock nach dem JSON</translation>
+    </message>
+    <message>
+        <source>has bytes after its binary chunk</source>
+        <translation>hat Bytes nach dem Binärblock</translation>
+    </message>
+    <message>
+        <source>has an accessor of another type than this program writes</source>
+        <translation>hat einen Accessor eines anderen Typs, als dieses Programm schreibt</translation>
+    </message>
+    <message>
+        <source>has an accessor that does not fit its bytes</source>
+        <translation>hat einen Accessor, der nicht zu den Bytes passt</translation>
+    </message>
+    <message>
+        <source>has a vertex that is no finite number</source>
+        <translation>hat einen Punkt, der keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>has indices that are not three for each triangle</source>
+        <translation>hat nicht drei Indizes je Dreieck</translation>
+    </message>
+    <message>
+        <source>has a face that names a vertex it does not have</source>
+        <translation>hat eine Fläche, die einen fehlenden Punkt nennt</translation>
+    </message>
+    <message>
+        <source>has a structure with a transformation of its own</source>
+        <translation>hat eine Struktur mit eigener Transformation</translation>
+    </message>
+    <message>
+        <source>has a structure of several primitives</source>
+        <translation>hat eine Struktur aus mehreren Primitiven</translation>
+    </message>
+    <message>
+        <source>has more than one root node</source>
+        <translation>hat mehr als einen Wurzelknoten</translation>
+    </message>
+    <message>
+        <source>has JSON that is damaged or not of this program</source>
+        <translation>hat JSON, das beschädigt oder nicht von diesem Programm ist</translation>
+    </message>
+    <message>
+        <source>There is no mesh to write as GLB: build the model first.</source>
+        <translation>Es gibt kein Netz für die GLB-Datei: Rekonstruieren Sie zuerst das Modell.</translation>
+    </message>
+    <message>
+        <source>The mesh &quot;%1&quot; has no triangles and cannot be written as GLB: leave it out.</source>
+        <translation>Das Netz „%1“ hat keine Dreiecke und lässt sich nicht als GLB schreiben: Lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>The model is larger than a GLB file can be: export STL only.</source>
+        <translation>Das Modell ist größer, als eine GLB-Datei sein kann: Exportieren Sie nur STL.</translation>
+    </message>
+    <message>
+        <source>The GLB could not be composed: export without it.</source>
+        <translation>Die GLB-Datei ließ sich nicht zusammensetzen: Exportieren Sie ohne sie.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no manifest of this version: verify the package with the program that wrote it.</source>
+        <translation>„%1“ ist kein Verzeichnis dieser Version: Prüfen Sie das Paket mit dem Programm, das es geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged: export the plan again.</source>
+        <translation>„%1“ ist beschädigt: Exportieren Sie den Plan erneut.</translation>
+    </message>
+    <message>
+        <source>has &quot;%1&quot; where a number belongs</source>
+        <translation>hat „%1“, wo eine Zahl hingehört</translation>
+    </message>
+    <message>
+        <source>has a facet with %1 corners</source>
+        <translation>hat eine Facette mit %1 Ecken</translation>
+    </message>
+    <message>
+        <source>ends before &quot;endsolid&quot;</source>
+        <translation>endet vor „endsolid“</translation>
+    </message>
+    <message>
+        <source>has a property of the unknown type &quot;%1&quot;</source>
+        <translation>hat eine Eigenschaft des unbekannten Typs „%1“</translation>
+    </message>
+    <message>
+        <source>names no PLY format</source>
+        <translation>nennt kein PLY-Format</translation>
+    </message>
+    <message>
+        <source>is a PLY of the format &quot;%1&quot;, which is not read</source>
+        <translation>ist ein PLY des Formats „%1“, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>has an element without a count</source>
+        <translation>hat ein Element ohne Anzahl</translation>
+    </message>
+    <message>
+        <source>has a property before its first element</source>
+        <translation>hat eine Eigenschaft vor dem ersten Element</translation>
+    </message>
+    <message>
+        <source>ends inside its PLY header</source>
+        <translation>endet mitten im PLY-Kopf</translation>
+    </message>
+    <message>
+        <source>has fewer rows than its header says</source>
+        <translation>hat weniger Zeilen, als der Kopf sagt</translation>
+    </message>
+    <message>
+        <source>has a face with fewer than three corners</source>
+        <translation>hat eine Fläche mit weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>says it has %1 rows of &quot;%2&quot;, more than its bytes can hold</source>
+        <translation>nennt %1 Zeilen „%2“, mehr, als die Bytes fassen können</translation>
+    </message>
+    <message>
+        <source>has a list of more than 64 entries</source>
+        <translation>hat eine Liste mit mehr als 64 Einträgen</translation>
+    </message>
+    <message>
+        <source>has a vertex without finite x, y and z</source>
+        <translation>hat einen Punkt ohne endliches x, y und z</translation>
+    </message>
+    <message>
+        <source>has a face with &quot;%1&quot; where an index belongs</source>
+        <translation>hat eine Fläche mit „%1“, wo ein Index hingehört</translation>
+    </message>
+    <message>
+        <source>says it has %1 triangles but is %2 bytes long</source>
+        <translation>nennt %1 Dreiecke, ist aber %2 Byte lang</translation>
+    </message>
+    <message>
+        <source>is no STL file</source>
+        <translation>ist keine STL-Datei</translation>
+    </message>
+    <message>
+        <source>is no PLY file</source>
+        <translation>ist keine PLY-Datei</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no mesh format&apos;s extension: name an .stl, .ply, .obj or .vtp file.</source>
+        <translation>„%1“ hat keine Endung eines Netzformats: Nennen Sie eine Datei .stl, .ply, .obj oder .vtp.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no mesh format&apos;s extension: use .stl, .ply, .obj, .vtp or .glb.</source>
+        <translation>„%1“ hat keine Endung eines Netzformats: Verwenden Sie .stl, .ply, .obj, .vtp oder .glb.</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>has a data block that is no base64 text</source>
+        <translation>hat einen Datenblock, der kein Base64-Text ist</translation>
+    </message>
+    <message>
+        <source>keeps its data as an appended block, which is not read</source>
+        <translation>hält die Daten in einem angehängten Block, der nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>has a data block that is not as long as it says</source>
+        <translation>hat einen Datenblock, der nicht so lang ist, wie er sagt</translation>
+    </message>
+    <message>
+        <source>has a data array of the type &quot;%1&quot;, which is not read</source>
+        <translation>hat ein Datenfeld des Typs „%1“, der nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>has no &quot;%1&quot; of its polygons</source>
+        <translation>hat kein „%1“ zu den Polygonen</translation>
+    </message>
+    <message>
+        <source>has polygons whose offsets do not fit its connectivity</source>
+        <translation>hat Polygone, deren Anfänge nicht zu den Verbindungen passen</translation>
+    </message>
+    <message>
+        <source>is no VTP file</source>
+        <translation>ist keine VTP-Datei</translation>
+    </message>
+    <message>
+        <source>is compressed or big-endian, which is not read</source>
+        <translation>ist komprimiert oder in der Bytefolge Big Endian, was nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>has no points or no polygons</source>
+        <translation>hat keine Punkte oder keine Polygone</translation>
+    </message>
+    <message>
+        <source>has points that are not three numbers each</source>
+        <translation>hat Punkte, die nicht aus je drei Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>The export&apos;s time &quot;%1&quot; is not YYYYMMDD-HHMM.</source>
+        <translation>Die Zeit des Exports „%1“ ist nicht JJJJMMTT-HHMM.</translation>
+    </message>
+    <message>
+        <source>The case has no plan: place a plane before exporting.</source>
+        <translation>Der Fall hat keinen Plan: Setzen Sie vor dem Export eine Ebene.</translation>
+    </message>
+    <message>
+        <source>The case has no plan named &quot;%1&quot;.</source>
+        <translation>Der Fall hat keinen Plan namens „%1“.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was read back and %2, so nothing was exported: export again.</source>
+        <translation>„%1“ %2, wie das Zurücklesen zeigte; es wurde nichts exportiert: Exportieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>is not what was written</source>
+        <translation>ist nicht, was geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>has defects once rounded to the file&apos;s precision (%1)</source>
+        <translation>hat Mängel nach dem Runden auf die Genauigkeit der Datei (%1)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would cross itself once rounded to the files&apos; precision (%2 %3), so nothing was exported.</source>
+        <translation>„%1“ würde sich nach dem Runden auf die Genauigkeit der Dateien selbst durchdringen (%2 %3); es wurde nichts exportiert.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would cross itself once rounded to the files&apos; precision (%2 %3), so nothing was exported: move the plane a little and export again.</source>
+        <translation>„%1“ würde sich nach dem Runden auf die Genauigkeit der Dateien selbst durchdringen (%2 %3); es wurde nichts exportiert: Schieben Sie die Ebene ein wenig und exportieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>does not hold every structure</source>
+        <translation>enthält nicht jede Struktur</translation>
+    </message>
+    <message>
+        <source>has its structures in disorder</source>
+        <translation>hat die Strukturen in falscher Reihenfolge</translation>
+    </message>
+    <message>
+        <source>has defects in &quot;%1&quot; once rounded to the file&apos;s precision</source>
+        <translation>hat Mängel in „%1“ nach dem Runden auf die Genauigkeit der Datei</translation>
+    </message>
+    <message>
+        <source>The package did not pass its own check, so nothing was exported: %1</source>
+        <translation>Das Paket hat die eigene Prüfung nicht bestanden, es wurde nichts exportiert: %1</translation>
+    </message>
+    <message>
+        <source>has %1 triangles instead of %2</source>
+        <translation>hat %1 Dreiecke statt %2</translation>
+    </message>
+    <message>
+        <source>has bounds that are off by %1 mm</source>
+        <translation>hat Grenzen, die um %1 mm abweichen</translation>
+    </message>
+    <message>
+        <source>has an area of %1 mm2</source>
+        <translation>hat eine Fläche von %1 mm2</translation>
+    </message>
+    <message>
+        <source>is turned inside out</source>
+        <translation>ist umgestülpt</translation>
+    </message>
+    <message>
+        <source>has a volume of %1 mL instead of %2 mL</source>
+        <translation>hat ein Volumen von %1 mL statt %2 mL</translation>
+    </message>
+    <message>
+        <source>has a corner %1 mm from its place</source>
+        <translation>hat eine Ecke %1 mm neben ihrem Ort</translation>
+    </message>
+    <message>
+        <source>has a header that begins with &quot;solid&quot;, which some readers take for text</source>
+        <translation>hat einen Kopf, der mit „solid“ beginnt, was manche Programme für Text halten</translation>
+    </message>
+    <message>
+        <source>does not say SPACE=LPS in its header</source>
+        <translation>nennt SPACE=LPS nicht im Kopf</translation>
+    </message>
+    <message>
+        <source>does not say UNIT=mm in its header</source>
+        <translation>nennt UNIT=mm nicht im Kopf</translation>
+    </message>
+    <message>
+        <source>has a root matrix that does not take millimetres LPS to metres with +Y up</source>
+        <translation>hat eine Wurzelmatrix, die Millimeter LPS nicht in Meter mit +Y nach oben überführt</translation>
+    </message>
+    <message>
+        <source>The structure &quot;%1&quot; has not been built yet: let its model finish, then export again.</source>
+        <translation>Die Struktur „%1“ ist noch nicht rekonstruiert: Lassen Sie das Modell fertig werden und exportieren Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>The structure &quot;%1&quot; has defects (%2) and is not exported.</source>
+        <translation>Die Struktur „%1“ hat Mängel (%2) und wird nicht exportiert.</translation>
+    </message>
+    <message>
+        <source>Structures deviate from their voxels: %1; look at them, then export again and confirm the question.</source>
+        <translation>Strukturen weichen von ihren Voxeln ab: %1; sehen Sie sie an, exportieren Sie dann erneut und bestätigen Sie die Frage.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Resection %1 of the plan does not divide the liver, so there is no resected part: move its plane into the liver or remove it, then export again.</source>
+        <translation>Resektion %1 des Plans teilt die Leber nicht, es gibt also kein Resektat: Schieben Sie die Ebene in die Leber oder entfernen Sie sie und exportieren Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>The resected parts and the remnant do not add up to the liver: move the plane a little and export again.</source>
+        <translation>Resektat und Rest ergeben zusammen nicht die Leber: Schieben Sie die Ebene ein wenig und exportieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The model has no parenchyma, so there is nothing to export: build the model first.</source>
+        <translation>Das Modell hat kein Parenchym, es gibt also nichts zu exportieren: Rekonstruieren Sie zuerst das Modell.</translation>
+    </message>
+    <message>
+        <source>plan.json does not say axes LPS and units mm: export the plan again.</source>
+        <translation>plan.json nennt nicht die Achsen LPS und die Einheit mm: Exportieren Sie den Plan erneut.</translation>
+    </message>
+    <message>
+        <source>plan.json and manifest.json do not agree on &quot;%1&quot;: export the plan again.</source>
+        <translation>plan.json und manifest.json stimmen bei „%1“ nicht überein: Exportieren Sie den Plan erneut.</translation>
+    </message>
+    <message>
+        <source>plan.json is damaged: export the plan again.</source>
+        <translation>plan.json ist beschädigt: Exportieren Sie den Plan erneut.</translation>
+    </message>
+    <message>
+        <source>The package cannot be written into &quot;%1&quot; (%2): choose another folder or make room.</source>
+        <translation>Das Paket lässt sich nicht nach „%1“ schreiben (%2): Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The manifest names &quot;%1&quot;, which is outside the package: export the plan again.</source>
+        <translation>Das Verzeichnis nennt „%1“ außerhalb des Pakets: Exportieren Sie den Plan erneut.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; %2: export the plan again.</source>
+        <translation>„%1“ %2: Exportieren Sie den Plan erneut.</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>has been changed since the export</source>
+        <translation>wurde seit dem Export geändert</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not belong to the package: remove it or export the plan again.</source>
+        <translation>„%1“ gehört nicht zum Paket: Entfernen Sie die Datei oder exportieren Sie den Plan erneut.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in model.glb %2: export the plan again.</source>
+        <translation>„%1“ in model.glb %2: Exportieren Sie den Plan erneut.</translation>
+    </message>
+    <message>
+        <source>holds more structures than the manifest</source>
+        <translation>enthält mehr Strukturen als das Verzeichnis</translation>
+    </message>
+    <message>
+        <source>The package cannot be read (%1): check your rights.</source>
+        <translation>Das Paket lässt sich nicht lesen (%1): Prüfen Sie Ihre Rechte.</translation>
+    </message>
+    <message>
+        <source>The manifest does not list &quot;%1&quot;: export the plan again.</source>
+        <translation>Das Verzeichnis führt „%1“ nicht auf: Exportieren Sie den Plan erneut.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no navigation package, it has no manifest.json: name the package&apos;s folder.</source>
+        <translation>„%1“ ist kein Navigationspaket, manifest.json fehlt: Nennen Sie den Ordner des Pakets.</translation>
+    </message>
+    <message>
+        <source>The plan has no such plane; choose one of its resections first.</source>
+        <translation>Der Plan hat keine solche Ebene; wählen Sie zuerst eine seiner Resektionen.</translation>
+    </message>
+    <message>
+        <source>The plane&apos;s origin and normal must be finite numbers and the normal must not be zero.</source>
+        <translation>Ursprung und Normale der Ebene müssen endliche Zahlen sein, und die Normale darf nicht null sein.</translation>
+    </message>
+    <message>
+        <source>The camera looks along its own up direction; turn the view first.</source>
+        <translation>Die Kamera blickt entlang ihrer eigenen Oben-Richtung; drehen Sie zuerst die Ansicht.</translation>
+    </message>
+    <message>
+        <source>%1 is open read-only, because another program is editing it or it is write-protected; save the case under another name.</source>
+        <translation>%1 ist nur zum Lesen geöffnet, weil ein anderes Programm es bearbeitet oder es schreibgeschützt ist; speichern Sie den Fall unter anderem Namen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a Glisson case; choose a .glisson file.</source>
+        <translation>%1 ist kein Glisson-Fall; wählen Sie eine Datei .glisson.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer Glisson (format %2, this one reads up to %3); update Glisson to open it.</source>
+        <translation>%1 wurde von einem neueren Glisson geschrieben (Format %2, dieses liest bis %3); aktualisieren Sie Glisson, um den Fall zu öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged or cut short; open an older copy of the case.</source>
+        <translation>%1 ist beschädigt oder abgeschnitten; öffnen Sie eine ältere Kopie des Falls.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written; check that its folder is there and that you may write to it.</source>
+        <translation>%1 lässt sich nicht schreiben; prüfen Sie, ob der Ordner da ist und Sie darin schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written (%2); save the case under another name.</source>
+        <translation>%1 lässt sich nicht schreiben (%2); speichern Sie den Fall unter anderem Namen.</translation>
+    </message>
+    <message>
+        <source>A case without a segmentation cannot be saved; open one first.</source>
+        <translation>Ein Fall ohne Segmentierung lässt sich nicht speichern; öffnen Sie zuerst eine.</translation>
+    </message>
+    <message>
+        <source>%1 is being edited by another program or is write-protected; save the case under another name.</source>
+        <translation>%1 wird von einem anderen Programm bearbeitet oder ist schreibgeschützt; speichern Sie den Fall unter anderem Namen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a file; choose a .glisson file.</source>
+        <translation>%1 ist keine Datei; wählen Sie eine Datei .glisson.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; check that you may read it.</source>
+        <translation>%1 lässt sich nicht öffnen; prüfen Sie, ob Sie die Datei lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged (%2); open an older copy of the case.</source>
+        <translation>%1 ist beschädigt (%2); öffnen Sie eine ältere Kopie des Falls.</translation>
+    </message>
+    <message>
+        <source>a vector has no three numbers</source>
+        <translation>ein Vektor hat keine drei Zahlen</translation>
+    </message>
+    <message>
+        <source>a structure has an unknown kind</source>
+        <translation>eine Struktur hat eine unbekannte Art</translation>
+    </message>
+    <message>
+        <source>a plane&apos;s normal is not of unit length</source>
+        <translation>die Normale einer Ebene hat nicht die Länge eins</translation>
+    </message>
+    <message>
+        <source>a mask lies outside its grid</source>
+        <translation>eine Maske liegt außerhalb ihres Gitters</translation>
+    </message>
+    <message>
+        <source>its %1 is missing</source>
+        <translation>der Teil %1 fehlt</translation>
+    </message>
+    <message>
+        <source>its %1 does not match its checksum</source>
+        <translation>der Teil %1 passt nicht zu seiner Prüfsumme</translation>
+    </message>
+    <message>
+        <source>a structure has no mask</source>
+        <translation>eine Struktur hat keine Maske</translation>
+    </message>
+    <message>
+        <source>a document has not the form of version %1</source>
+        <translation>ein Dokument hat nicht die Form der Version %1</translation>
+    </message>
+    <message>
+        <source>its case has no CT source</source>
+        <translation>dem Fall fehlt die Quelle der CT</translation>
+    </message>
+    <message>
+        <source>its history cannot be read</source>
+        <translation>der Verlauf lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>The plan holds a number that is not finite or a normal that is not of unit length; place the plane again.</source>
+        <translation>Der Plan enthält eine Zahl, die nicht endlich ist, oder eine Normale, die nicht die Länge eins hat; setzen Sie die Ebene neu.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written because the disk is full; free some space, the last saved state is intact.</source>
+        <translation>%1 lässt sich nicht schreiben, weil die Platte voll ist; schaffen Sie Platz, der zuletzt gespeicherte Stand ist unversehrt.</translation>
+    </message>
+    <message>
+        <source>%1 is open read-only; save the case under another name to go on editing.</source>
+        <translation>%1 ist nur zum Lesen geöffnet; speichern Sie den Fall unter anderem Namen, um ihn weiter zu bearbeiten.</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program; try again when it has finished.</source>
+        <translation>%1 wird von einem anderen Programm benutzt; versuchen Sie es erneut, wenn es fertig ist.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read or written; check the folder, its rights and the disk.</source>
+        <translation>%1 lässt sich nicht lesen oder schreiben; prüfen Sie den Ordner, seine Rechte und die Platte.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written to the disk; check the disk and save under another name.</source>
+        <translation>%1 lässt sich nicht auf die Platte schreiben; prüfen Sie die Platte und speichern Sie unter anderem Namen.</translation>
+    </message>
+    <message>
+        <source>a part is larger than 4 GiB</source>
+        <translation>ein Teil ist größer als 4 GiB</translation>
+    </message>
+    <message>
+        <source>a part claims more bytes than it can hold</source>
+        <translation>ein Teil nennt mehr Bytes, als er enthalten kann</translation>
+    </message>
+    <message>
+        <source>a part does not unpack to its size</source>
+        <translation>ein Teil lässt sich nicht auf seine Größe entpacken</translation>
+    </message>
+    <message>
+        <source>a mask has an impossible size</source>
+        <translation>eine Maske hat eine unmögliche Größe</translation>
+    </message>
+    <message>
+        <source>a mask is larger than 4 GiB</source>
+        <translation>eine Maske ist größer als 4 GiB</translation>
+    </message>
+    <message>
+        <source>a mesh has an impossible size</source>
+        <translation>ein Netz hat eine unmögliche Größe</translation>
+    </message>
+    <message>
+        <source>a mesh has a vertex that is not finite</source>
+        <translation>ein Netz hat einen Punkt, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>a mesh has a triangle without its vertex</source>
+        <translation>ein Netz hat ein Dreieck ohne seinen Punkt</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check that it is there and that you may read it.</source>
+        <translation>%1 lässt sich nicht lesen; prüfen Sie, ob die Datei da ist und Sie sie lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>%1 does not divide the liver: nothing is resected.</source>
+        <translation>%1 teilt die Leber nicht: Nichts wird reseziert.</translation>
+    </message>
+    <message>
+        <source>%1 does not divide the liver: all of it is resected.</source>
+        <translation>%1 teilt die Leber nicht: Sie wird ganz reseziert.</translation>
+    </message>
+    <message>
+        <source>%1 has a plane that is not finite; place it again.</source>
+        <translation>%1 hat eine Ebene, die nicht endlich ist; setzen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both hold a case; open one of them at a time.</source>
+        <translation>%1 und %2 enthalten beide einen Fall; öffnen Sie nur eines davon.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both hold a CT; open one of them at a time.</source>
+        <translation>%1 und %2 enthalten beide eine CT; öffnen Sie nur eine davon.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both hold a segmentation; open one of them at a time.</source>
+        <translation>%1 und %2 enthalten beide eine Segmentierung; öffnen Sie nur eine davon.</translation>
+    </message>
+    <message>
+        <source>The CT at %1 is not the one this case was made from (its files have changed): its slices are not shown.</source>
+        <translation>Die CT unter %1 ist nicht die, aus der dieser Fall entstand (ihre Dateien wurden geändert): Ihre Schichten werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1 holds neither a CT, nor a segmentation, nor a case; choose a DICOM folder, NIfTI, NRRD, MetaImage or .glisson file.</source>
+        <translation>%1 enthält weder eine CT noch eine Segmentierung noch einen Fall; wählen Sie einen DICOM-Ordner oder eine Datei in NIfTI, NRRD, MetaImage oder .glisson.</translation>
+    </message>
+    <message>
+        <source>%1 holds a CT without a segmentation; open the CT and its segmentation together.</source>
+        <translation>%1 enthält eine CT ohne Segmentierung; öffnen Sie die CT und ihre Segmentierung zusammen.</translation>
+    </message>
+    <message>
+        <source>The selection holds a CT without a segmentation; open the CT and its segmentation together.</source>
+        <translation>Die Auswahl enthält eine CT ohne Segmentierung; öffnen Sie die CT und ihre Segmentierung zusammen.</translation>
+    </message>
+    <message>
+        <source>The CT of this case is no longer at %1; put it back to see the slices.</source>
+        <translation>Die CT dieses Falls liegt nicht mehr unter %1; legen Sie sie zurück, um die Schichten zu sehen.</translation>
+    </message>
+    <message>
+        <source>The CT at %1 does not lie on the grid of the labels and is not shown.</source>
+        <translation>Die CT unter %1 liegt nicht auf dem Gitter der Labels und wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s mask is empty; there is nothing to place a plane on.</source>
+        <translation>Die Maske der Leber ist leer; es gibt nichts, worauf sich eine Ebene setzen ließe.</translation>
+    </message>
+    <message>
+        <source>%1 has the label %2 of unknown kind; open it again and choose its kind.</source>
+        <translation>%1 hat das Label %2 unbekannter Art; öffnen Sie die Datei erneut und wählen Sie die Art.</translation>
+    </message>
+    <message>
+        <source>%1 could not be reconstructed: %2</source>
+        <translation>%1 ließ sich nicht rekonstruieren: %2</translation>
+    </message>
+    <message>
+        <source>The normal (0, 0, 0) has no direction; enter at least one component.</source>
+        <translation>Die Normale (0, 0, 0) hat keine Richtung; geben Sie mindestens eine Komponente ein.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another program: it can be looked at, and changes are kept only with Save as.</source>
+        <translation>%1 ist in einem anderen Programm geöffnet: Ansehen geht, Änderungen bleiben nur mit Speichern unter erhalten.</translation>
+    </message>
+    <message>
+        <source>The plane can be placed as soon as the liver&apos;s volumes are computed.</source>
+        <translation>Die Ebene lässt sich setzen, sobald die Volumina der Leber berechnet sind.</translation>
+    </message>
+    <message>
+        <source>Open a case first.</source>
+        <translation>Öffnen Sie zuerst einen Fall.</translation>
+    </message>
+    <message>
+        <source>%1 has no surface yet.</source>
+        <translation>%1 hat noch keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Choose a format.</source>
+        <translation>Wählen Sie ein Format.</translation>
+    </message>
+    <message>
+        <source>The work ended with an unknown error.</source>
+        <translation>Die Arbeit endete mit einem unbekannten Fehler.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; close other programs and try again.</source>
+        <translation>Dafür reicht der Speicher nicht; schließen Sie andere Programme und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>hepatic vein</source>
+        <translation>Lebervene</translation>
+    </message>
+    <message>
+        <source>vena cava</source>
+        <translation>Hohlvene</translation>
+    </message>
+    <message>
+        <source>artery</source>
+        <translation>Arterie</translation>
+    </message>
+    <message>
+        <source>tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>cyst</source>
+        <translation>Zyste</translation>
+    </message>
+    <message>
+        <source>gallbladder</source>
+        <translation>Gallenblase</translation>
+    </message>
+    <message>
+        <source>bile duct</source>
+        <translation>Gallengang</translation>
+    </message>
+    <message>
+        <source>tumour %1</source>
+        <translation>Tumor %1</translation>
+    </message>
+    <message>
+        <source>cyst %1</source>
+        <translation>Zyste %1</translation>
+    </message>
+    <message>
+        <source>label %1</source>
+        <translation>Label %1</translation>
+    </message>
+    <message>
+        <source>%1 of layer %2</source>
+        <translation>%1 der Ebene %2</translation>
+    </message>
+    <message>
+        <source>Resection %1</source>
+        <translation>Resektion %1</translation>
+    </message>
+    <message>
+        <source>Plan %1</source>
+        <translation>Plan %1</translation>
+    </message>
+</context>
+<context>
     <name>StructureKind</name>
     <message>
         <source>Parenchyma</source>
@@ -270,6 +2301,10 @@
 </context>
 <context>
     <name>glisson::JobBar</name>
+    <message>
+        <source>Shows what waits, each with its Cancel</source>
+        <translation>Zeigt, was wartet, jedes mit eigenem Abbrechen</translation>
+    </message>
     <message>
         <source>Cancel all</source>
         <translation>Alle abbrechen</translation>

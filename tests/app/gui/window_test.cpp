@@ -10,6 +10,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSemaphore>
 #include <QSignalSpy>
@@ -205,6 +206,36 @@ TEST_F(WindowTest, ARunningJobShowsItselfAndItsCancelIsObeyedAtOnce) {
   EXPECT_EQ(bar->shownJobs(), 0);
   mayEnd.release();
   EXPECT_TRUE(waitFor([&] { return jobs->idle(); }));
+}
+
+TEST_F(WindowTest, AJobThatWaitsHasARowAndACancelOfItsOwn) {
+  QSemaphore mayEnd;
+  QStringList done;
+  for (const QString& title : {QString("First"), QString("Second"), QString("Third"), QString("Fourth")}) {
+    jobs->submit({.title = title,
+                  .heavy = true,
+                  .process = [&](const ExecutionContext&) { mayEnd.acquire(); },
+                  .finish = [&done, title] { done << title; }});
+  }
+  auto* bar = find<JobBar>("jobBar");
+  EXPECT_EQ(bar->shownJobs(), 4);
+  EXPECT_EQ(find<QToolButton>("waitingJobs")->text(), "2 waiting");
+  EXPECT_EQ(bar->findChildren<QPushButton*>("cancelJob").size(), 4);
+  click("waitingJobs");
+  auto* list = find<QFrame>("waitingList");
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(list));
+  const QList<QPushButton*> cancels = list->findChildren<QPushButton*>("cancelJob");
+  ASSERT_EQ(cancels.size(), 2);
+  EXPECT_EQ(list->findChildren<QProgressBar*>().size(), 2);
+  QTest::mouseClick(cancels.front(), Qt::LeftButton);
+  EXPECT_EQ(bar->shownJobs(), 3);
+  EXPECT_EQ(find<QToolButton>("waitingJobs")->text(), "1 waiting");
+  list->close();
+  mayEnd.release(4);
+  ASSERT_TRUE(waitFor([&] { return jobs->idle(); }));
+  done.sort();
+  EXPECT_EQ(done, QStringList({"First", "Fourth", "Second"})) << "only the third was cancelled";
+  EXPECT_FALSE(find<QToolButton>("waitingJobs")->isVisible());
 }
 
 TEST_F(WindowTest, CancelledStructuresAreMissingAndOneClickMakesThem) {
