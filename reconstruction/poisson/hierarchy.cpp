@@ -96,17 +96,13 @@ void makeRightHandSides(const CubeSamples& samples, const HierarchyOptions& opti
   }
 }
 
-/// Sum of products in double, block by block in a fixed order: the same for any number of threads.
-double dot(const Field& a, const Field& b) {
-  const std::size_t blocks = a.size() / kBlockNodes;
-  std::vector<double> parts(blocks);
-  parallelFor(blocks, kGrain, [&](std::size_t begin, std::size_t end) {
+/// Calls body(n) for the first node of every block and adds what it gives, in a fixed order: the same for any number of threads.
+template <typename Body>
+double sumOverBlocks(std::size_t nodes, const Body& body) {
+  std::vector<double> parts(nodes / kBlockNodes);
+  parallelFor(parts.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) {
-      double sum = 0;
-      for (std::size_t n = block * kBlockNodes; n < (block + 1) * kBlockNodes; ++n) {
-        sum += static_cast<double>(a[n]) * static_cast<double>(b[n]);
-      }
-      parts[block] = sum;
+      parts[block] = body(block * kBlockNodes);
     }
   });
   double sum = 0;
@@ -116,11 +112,42 @@ double dot(const Field& a, const Field& b) {
   return sum;
 }
 
-/// y = a * y + b * x over all nodes.
-void combine(Field& y, float a, const Field& x, float b) {
-  parallelFor(y.size() / kBlockNodes, kGrain, [&](std::size_t begin, std::size_t end) {
+/// Products of a block's values in double, in four sums side by side (a single one would wait for itself).
+double dotOfBlock(const float* a, const float* b) {
+  std::array<double, 4> sums{};
+  for (std::size_t n = 0; n < kBlockNodes; n += sums.size()) {
+    for (std::size_t lane = 0; lane < sums.size(); ++lane) {
+      sums[lane] += static_cast<double>(a[n + lane]) * static_cast<double>(b[n + lane]);
+    }
+  }
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+double dot(const Field& a, const Field& b) {
+  return sumOverBlocks(a.size(), [&](std::size_t n) { return dotOfBlock(&a[n], &b[n]); });
+}
+
+/// y += a x over one block.
+void addTo(float* y, float a, const float* x) {
+  for (std::size_t n = 0; n < kBlockNodes; ++n) {
+    y[n] += a * x[n];
+  }
+}
+
+/// x += alpha p and r -= alpha ap in one walk; gives r.r.
+double step(Field& x, Field& r, const Field& p, const Field& ap, float alpha) {
+  return sumOverBlocks(x.size(), [&](std::size_t n) {
+    addTo(&x[n], alpha, &p[n]);
+    addTo(&r[n], -alpha, &ap[n]);
+    return dotOfBlock(&r[n], &r[n]);
+  });
+}
+
+/// p = r + beta p.
+void turn(Field& p, float beta, const Field& r) {
+  parallelFor(p.size() / kBlockNodes, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin * kBlockNodes; n < end * kBlockNodes; ++n) {
-      y[n] = a * y[n] + b * x[n];
+      p[n] = beta * p[n] + r[n];
     }
   });
 }
@@ -178,25 +205,24 @@ void conjugateGradients(Operator& op, Level& level, int steps, const ExecutionCo
   Field r = level.f;
   op.addTarget(r, context);
   op.apply(level.x, ap, context);
-  combine(r, 1.0F, ap, -1.0F);
+  for (std::size_t n = 0; n < r.size(); n += kBlockNodes) {
+    addTo(&r[n], -1.0F, &ap[n]);
+  }
   for (std::size_t slot = 0; slot < level.grid.blockCount(); ++slot) {
     level.grid.clearFixedNodes(slot, r.data() + slot * kBlockNodes);
   }
   Field p = r;
   double rr = dot(r, r);
   const double enough = 1e-10 * rr;
-  for (int step = 0; step < steps && rr > enough && rr > 0; ++step) {
+  for (int n = 0; n < steps && rr > enough && rr > 0; ++n) {
     context.throwIfCancelled();
     op.apply(p, ap, context);
     const double pap = dot(p, ap);
     if (!(pap > 0)) {
       break;
     }
-    const double alpha = rr / pap;
-    combine(level.x, 1.0F, p, static_cast<float>(alpha));
-    combine(r, 1.0F, ap, static_cast<float>(-alpha));
-    const double next = dot(r, r);
-    combine(p, static_cast<float>(next / rr), r, 1.0F);
+    const double next = step(level.x, r, p, ap, static_cast<float>(rr / pap));
+    turn(p, static_cast<float>(next / rr), r);
     rr = next;
   }
 }

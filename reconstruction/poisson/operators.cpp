@@ -138,47 +138,61 @@ void prolong(const BlockGrid& coarseGrid, const Field& coarse, const BlockGrid& 
   });
 }
 
+namespace {
+constexpr int kUnder = 2 * kBlock + 1;  // fine nodes -1..15 under the coarse nodes 0..7 of a block
+using Under = std::array<float, std::size_t{kUnder} * kUnder * kUnder>;
+
+/// The fine nodes under a coarse block; 0 where the fine level has no block.
+void gatherUnder(const BlockGrid& fineGrid, const Field& fine, const Coord& block, Under& under) {
+  under.fill(0.0F);
+  for (int n = 0; n < 27; ++n) {
+    const Coord part{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};  // -1: only the last layer of the fine block before
+    const std::int32_t slot = fineGrid.slot({2 * block[0] + part[0], 2 * block[1] + part[1], 2 * block[2] + part[2]});
+    if (slot < 0) {
+      continue;
+    }
+    const float* source = fine.data() + static_cast<std::size_t>(slot) * kBlockNodes;
+    const auto first = [&](std::size_t a) { return part[a] < 0 ? kBlock - 1 : 0; };
+    for (int k = first(2); k < kBlock; ++k) {
+      for (int j = first(1); j < kBlock; ++j) {
+        const int to = kBlock * part[0] + first(0) + 1 + kUnder * (kBlock * part[1] + j + 1 + kUnder * (kBlock * part[2] + k + 1));
+        std::copy_n(source + nodeIndex(first(0), j, k), kBlock - first(0), under.begin() + to);
+      }
+    }
+  }
+}
+
+float halved(float low, float mid, float high) { return 0.5F * (low + high) + mid; }
+}  // namespace
+
 void restrictTo(const BlockGrid& fineGrid, const Field& fine, const BlockGrid& coarseGrid, Field& coarse, float factor,
                 const ExecutionContext& context) {
   forBlocks(coarseGrid, 0, context, [&](std::size_t slot) {
-    const Coord& block = coarseGrid.coord(slot);
+    Under under;
+    gatherUnder(fineGrid, fine, coarseGrid.coord(slot), under);
+    constexpr std::size_t kRows = std::size_t{kUnder} * kUnder;
+    std::array<float, kBlock * kRows> x;
+    for (std::size_t row = 0; row < kRows; ++row) {
+      const float* in = under.data() + row * kUnder;
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        x[row * kBlock + i] = halved(in[2 * i], in[2 * i + 1], in[2 * i + 2]);
+      }
+    }
+    std::array<float, std::size_t{kBlock} * kBlock * kUnder> y;
+    for (std::size_t k = 0; k < kUnder; ++k) {
+      for (std::size_t j = 0; j < kBlock; ++j) {
+        const float* in = x.data() + (2 * j + kUnder * k) * kBlock;
+        for (std::size_t i = 0; i < kBlock; ++i) {
+          y[(j + kBlock * k) * kBlock + i] = halved(in[i], in[kBlock + i], in[2 * kBlock + i]);
+        }
+      }
+    }
+    constexpr std::size_t kSheet = std::size_t{kBlock} * kBlock;
     float* target = coarse.data() + slot * kBlockNodes;
-    std::fill_n(target, kBlockNodes, 0.0F);
-    // The eight children cover fine nodes 16b..16b+15; the weights of a coarse node reach one fine node further on each side.
-    for (int child = 0; child < 27; ++child) {
-      const Coord offset{child % 3 - 1, (child / 3) % 3 - 1, child / 9 - 1};
-      for (int half = 0; half < 8; ++half) {
-        const Coord bit{half & 1, (half >> 1) & 1, half >> 2};
-        bool wanted = true;
-        Coord fineBlock{};
-        for (std::size_t a = 0; a < 3; ++a) {
-          fineBlock[a] = 2 * (block[a] + offset[a]) + bit[a];
-          wanted = wanted && (offset[a] == 0 || (offset[a] < 0 && bit[a] == 1));  // only the node before reaches in
-        }
-        const std::int32_t at = wanted ? fineGrid.slot(fineBlock) : -1;
-        if (at < 0) {
-          continue;
-        }
-        const float* source = fine.data() + static_cast<std::size_t>(at) * kBlockNodes;
-        for (int k = 0; k < kBlock; ++k) {
-          for (int j = 0; j < kBlock; ++j) {
-            for (int i = 0; i < kBlock; ++i) {
-              const Coord node{fineBlock[0] * kBlock + i, fineBlock[1] * kBlock + j, fineBlock[2] * kBlock + k};
-              const float value = source[nodeIndex(i, j, k)];
-              if (value == 0) {
-                continue;
-              }
-              for (int c = 0; c < 8; ++c) {
-                // An even node lies on one coarse node (met twice with weight 1/2), an odd one between two.
-                const Coord to{(node[0] + (c & 1)) / 2 - block[0] * kBlock, (node[1] + ((c >> 1) & 1)) / 2 - block[1] * kBlock,
-                               (node[2] + (c >> 2)) / 2 - block[2] * kBlock};
-                if (to[0] >= 0 && to[0] < kBlock && to[1] >= 0 && to[1] < kBlock && to[2] >= 0 && to[2] < kBlock) {
-                  target[nodeIndex(to[0], to[1], to[2])] += 0.125F * factor * value;
-                }
-              }
-            }
-          }
-        }
+    for (std::size_t k = 0; k < kBlock; ++k) {
+      const float* in = y.data() + 2 * k * kSheet;
+      for (std::size_t n = 0; n < kSheet; ++n) {
+        target[k * kSheet + n] = factor * halved(in[n], in[kSheet + n], in[2 * kSheet + n]);
       }
     }
   });

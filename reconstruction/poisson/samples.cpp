@@ -1,5 +1,6 @@
 // Oriented boundary samples of a mask [Palomar 2016, 2.1; method.md 1].
 #include <array>
+#include <cstring>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/parallel.h"
@@ -92,6 +93,24 @@ void sampleSlicePaper(const PaddedMask& padded, const ImageGeometry& geometry, i
   }
 }
 
+/// The end of the run of voxels from `at` on, at most `left` long, that are like their neighbours after them along every axis.
+std::size_t alikeFrom(const std::uint8_t* data, std::size_t at, std::size_t left, const std::array<std::ptrdiff_t, 3>& step) {
+  const auto eight = [](const std::uint8_t* p) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, p, sizeof(bytes));
+    return bytes;
+  };
+  std::size_t n = 0;
+  for (; n + sizeof(std::uint64_t) <= left; n += sizeof(std::uint64_t)) {
+    const std::uint8_t* p = data + at + n;
+    const std::uint64_t here = eight(p);
+    if (((here ^ eight(p + step[0])) | (here ^ eight(p + step[1])) | (here ^ eight(p + step[2]))) != 0) {
+      break;
+    }
+  }
+  return n;
+}
+
 /// The faces of `unbiased` sampling whose lower voxel lies in slice k of the padded grid.
 void sampleSliceUnbiased(const PaddedMask& padded, const ImageGeometry& geometry, int k, OrientedPoints& out) {
   const auto step = padded.strides();
@@ -99,6 +118,11 @@ void sampleSliceUnbiased(const PaddedMask& padded, const ImageGeometry& geometry
   const auto* data = padded.data();
   for (int j = 1; j + 1 < padded.size()[1]; ++j) {
     for (int i = 1; i + 1 < padded.size()[0]; ++i) {
+      // Most voxels lie deep inside or outside: they are passed eight at a time.
+      i += static_cast<int>(alikeFrom(data, padded.offset(i, j, k), static_cast<std::size_t>(padded.size()[0] - 1 - i), step));
+      if (i + 1 >= padded.size()[0]) {
+        break;
+      }
       const std::size_t at = padded.offset(i, j, k);
       for (int a = 0; a < 3; ++a) {
         const std::size_t beyond = at + static_cast<std::size_t>(step[static_cast<std::size_t>(a)]);

@@ -37,6 +37,7 @@ Place placeOf(const std::array<float, 3>& position, float scale, int nodesPerSid
   return place;
 }
 
+constexpr int kBlockBits = 3;       // kBlock is 2^3
 constexpr int kReach = kBlock + 1;  // a block's samples touch nodes 0..8
 
 }  // namespace
@@ -71,22 +72,25 @@ CubeSamples toCube(const OrientedPoints& points, const Vec3& corner, double cell
     const Vec3 p = (points.positions[n] - corner) / cellMm;
     samples.positions[n] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
   }
-  std::vector<std::uint64_t> order(count);
+  // Counting sort by block: samples of one block keep their order.
+  std::vector<std::uint32_t> key(count);
+  std::vector<std::uint32_t> place(std::size_t{1} << (3 * (depth - kBlockBits)), 0);
   for (std::size_t n = 0; n < count; ++n) {
-    order[n] = (static_cast<std::uint64_t>(mortonOf(samples.blockOf(n, depth))) << 32) | n;
+    key[n] = mortonOf(samples.blockOf(n, depth));
+    ++place[key[n]];
   }
-  std::sort(order.begin(), order.end());
+  std::exclusive_scan(place.begin(), place.end(), place.begin(), 0U);
   std::vector<std::array<float, 3>> sorted(count);
   samples.normals.resize(count);
   samples.weights.resize(count);
   samples.keys.resize(count);
   for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t from = order[n] & 0xFFFFFFFFU;
-    const Vec3& normal = points.normals[from];
-    sorted[n] = samples.positions[from];
-    samples.normals[n] = {static_cast<float>(normal[0]), static_cast<float>(normal[1]), static_cast<float>(normal[2])};
-    samples.weights[n] = static_cast<float>(points.weights[from]);
-    samples.keys[n] = static_cast<std::uint32_t>(order[n] >> 32);
+    const std::size_t to = place[key[n]]++;
+    const Vec3& normal = points.normals[n];
+    sorted[to] = samples.positions[n];
+    samples.normals[to] = {static_cast<float>(normal[0]), static_cast<float>(normal[1]), static_cast<float>(normal[2])};
+    samples.weights[to] = static_cast<float>(points.weights[n]);
+    samples.keys[to] = key[n];
   }
   samples.positions = std::move(sorted);
   return samples;
