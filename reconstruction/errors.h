@@ -18,19 +18,25 @@ class InputError : public Error {
   using Error::Error;
 };
 
-/// A computation of the reconstruction room cannot be done (for example an empty mask). Exit code 4.
+/// The reconstruction room cannot compute from what it was given (for example an empty mask). Exit code 3.
 class ReconstructionError : public Error {
  public:
   using Error::Error;
 };
 
-/// A planning operation cannot be done (for example a plane that misses the liver). Exit code 4.
+/// A planning operation cannot be done with what it was given (for example a model without a parenchyma). Exit code 3.
 class PlanningError : public Error {
  public:
   using Error::Error;
 };
 
-/// Options that make no sense (depth 11). Thrown by validate(). Exit code 2.
+/// Something was computed, but failed its check (a surface with defects, a package that reads back otherwise). Exit code 4.
+class CheckFailed : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Options that make no sense (depth 11) or do not fit the input (no such label or plan, a plane beside the liver). Exit code 2.
 class UsageError : public Error {
  public:
   using Error::Error;

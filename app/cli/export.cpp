@@ -28,6 +28,18 @@ void parseFormats(const std::string& text, ExportOptions& options) {
   }
 }
 
+/// What planning refuses is said with the case's file, which it does not know.
+ExportResult exportCase(const std::string& file, const std::string& directory, const ExportOptions& options,
+                        const ExecutionContext& context) {
+  try {
+    return exportPackage(CaseFile::open(file).load(), directory, options, context);
+  } catch (const PlanningError& error) {
+    throw PlanningError(file + ": " + error.what());
+  } catch (const CheckFailed& error) {
+    throw CheckFailed(file + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 void addExport(CLI::App& app, Action& chosen) {
@@ -49,8 +61,7 @@ void addExport(CLI::App& app, Action& chosen) {
   command->callback([flags, &chosen] {
     chosen = [flags](const ExecutionContext& context) {
       parseFormats(flags->formats, flags->options);
-      const Case source = CaseFile::open(flags->caseFile).load();
-      const ExportResult result = exportPackage(source, flags->directory, flags->options, context);
+      const ExportResult result = exportCase(flags->caseFile, flags->directory, flags->options, context);
       for (const std::string& file : result.files) {
         std::cout << (result.folder / file).string() << '\n';
       }

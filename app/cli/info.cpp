@@ -66,8 +66,7 @@ Json segmentationJson(const Segmentation& segmentation) {
   }
   for (const LabelledMask& structure : segmentation.structures) {
     if (!structure.kind) {
-      warnings.push_back(structure.name + " is of unknown kind; say which with --labels " + std::to_string(structure.label) +
-                         "=KIND");
+      warnings.push_back(structure.name + " is of unknown kind; say which with --labels \"" + labelsKey(structure) + "=KIND\"");
     }
   }
   json["warnings"] = std::move(warnings);

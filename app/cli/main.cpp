@@ -56,17 +56,24 @@ int run(const Action& action) {
     return failed(kInterrupted, "interrupted; nothing was written");
   } catch (const UsageError& error) {
     return failed(kUsage, error.what());
-  } catch (const InputError& error) {
-    return failed(kInput, error.what());
-  } catch (const Error& error) {
+  } catch (const CheckFailed& error) {
     return failed(kCheckFailed, error.what());
+  } catch (const Error& error) {
+    return failed(kInput, error.what());
   } catch (const std::bad_alloc&) {
-    return failed(kCheckFailed, "the memory does not suffice; close other programs or lower --depth");
+    return failed(kInput, "the memory does not suffice; close other programs, lower --depth or crop the input");
   } catch (const std::filesystem::filesystem_error& error) {
     return failed(kInput, error.what());
   } catch (const std::exception& error) {
-    return failed(kCheckFailed, std::string("unexpected failure: ") + error.what());
+    return failed(kInput, std::string("unexpected failure: ") + error.what());
   }
+}
+
+/// CLI11 says of a word that is no command only that a command is missing.
+std::string usageSentence(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = app.remaining();
+  const bool noCommand = app.get_subcommands().empty() && !unknown.empty();
+  return (noCommand ? "there is no command " + unknown.front() : std::string(error.what())) + "; see glisson-cli --help";
 }
 
 int parseAndRun(int argc, char** argv) {
@@ -90,7 +97,7 @@ int parseAndRun(int argc, char** argv) {
     if (error.get_exit_code() == 0) {
       return app.exit(error);  // --help, --version: on stdout
     }
-    return failed(kUsage, std::string(error.what()) + "; see glisson-cli --help");
+    return failed(kUsage, usageSentence(app, error));
   }
   return run(chosen);
 }
@@ -104,6 +111,6 @@ int main(int argc, char** argv) {
     return glisson::cli::parseAndRun(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "glisson-cli: unexpected failure: %s\n", error.what());
-    return glisson::cli::kCheckFailed;
+    return glisson::cli::kInput;
   }
 }

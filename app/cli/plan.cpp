@@ -57,18 +57,6 @@ std::size_t planIndex(const std::vector<ResectionPlan>& plans, const std::string
 
 std::string millimetres(const std::optional<double>& value) { return value ? formatNumber(*value, 1) + " mm" : "-"; }
 
-std::string stateOf(TumourState state) {
-  switch (state) {
-    case TumourState::Removed:
-      return "removed";
-    case TumourState::Cut:
-      return "cut";
-    case TumourState::Left:
-      break;
-  }
-  return "left";
-}
-
 void printText(const PlanAssessment& a) {
   const auto ml = [](double value) { return formatNumber(value, 1) + " mL"; };
   if (!a.warning.empty()) {
@@ -84,7 +72,7 @@ void printText(const PlanAssessment& a) {
   if (!a.tumours.empty()) {
     std::vector<std::vector<std::string>> rows{{"tumour", "state", "margin", "at least", "distance"}};
     for (const TumourAssessment& tumour : a.tumours) {
-      rows.push_back({tumour.id + " " + tumour.name, stateOf(tumour.state), millimetres(tumour.marginMm),
+      rows.push_back({tumour.id + " " + tumour.name, std::string(textOf(tumour.state)), millimetres(tumour.marginMm),
                       millimetres(tumour.marginAtLeastMm), millimetres(tumour.distanceMm)});
     }
     std::cout << alignedTable(rows)
@@ -109,9 +97,9 @@ void checkDivides(const ResectionVolume& added, double totalMl, const Case& sour
     middle[axis] = box.first[a] + 0.5 * (box.size[a] - 1);
   }
   const Vec3 centre = source.liver->geometry.toWorld(middle);
-  throw PlanningError("--plane does not divide the liver (" + std::string(added.volumeMl > 0 ? "all of it" : "nothing") +
-                      " would be resected), so nothing was stored; the liver lies about (" + formatNumber(centre.x(), 1) + ", " +
-                      formatNumber(centre.y(), 1) + ", " + formatNumber(centre.z(), 1) + ") mm");
+  throw UsageError("--plane does not divide the liver (" + std::string(added.volumeMl > 0 ? "all of it" : "nothing") +
+                   " would be resected), so nothing was stored; the liver lies about (" + formatNumber(centre.x(), 1) + ", " +
+                   formatNumber(centre.y(), 1) + ", " + formatNumber(centre.z(), 1) + ") mm");
 }
 
 int addResection(const Flags& flags, const ExecutionContext& context) {

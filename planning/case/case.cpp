@@ -28,12 +28,10 @@ std::string newCode() {
 void requireKinds(const Segmentation& segmentation) {
   for (const LabelledMask& structure : segmentation.structures) {
     if (!structure.kind) {
-      const bool named = !structure.name.empty() && structure.name != "label " + std::to_string(structure.label);
-      const std::string key = named ? structure.name : std::to_string(structure.label);
-      const std::string shown = named ? key : "label " + key;
-      std::string message = segmentation.source + ": it is not known what \"";
-      message += shown + "\" is; say it with --labels \"" + key + "=KIND\" (a structure kind, or other to leave it out).";
-      throw InputError(message);
+      const std::string key = labelsKey(structure);
+      const std::string shown = key == structure.name ? key : "label " + key;
+      throw InputError(segmentation.source + ": it is not known what \"" + shown + "\" is; say it with --labels \"" + key +
+                       "=KIND\" (a structure kind, or other to leave it out).");
     }
   }
 }
@@ -119,6 +117,11 @@ const Structure* LiverModel::find(const std::string& id) const {
     }
   }
   return nullptr;
+}
+
+std::string labelsKey(const LabelledMask& structure) {
+  const bool named = !structure.name.empty() && structure.name != "label " + std::to_string(structure.label);
+  return named ? structure.name : std::to_string(structure.label);
 }
 
 Case newCase(std::shared_ptr<const CtVolume> ct, std::shared_ptr<const Segmentation> segmentation) {

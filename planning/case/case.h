@@ -25,6 +25,9 @@ struct Case {
   std::vector<std::string> notes;    ///< what the readers and the model had to say
 };
 
+/// What --labels calls a structure: its name, or its number where the file has no name for it.
+std::string labelsKey(const LabelledMask& structure);
+
 /// Makes a case from read volumes: forms L, T, F, a code, an empty plan "Plan 1" and the list of structures (not yet built).
 /// `ct` may be null. Throws InputError where a structure's kind is unknown (names it and the --labels flag) or there is no liver.
 Case newCase(std::shared_ptr<const CtVolume> ct, std::shared_ptr<const Segmentation> segmentation);

@@ -31,7 +31,7 @@ Point rounded(const Vec3& v) {
   Point p{};
   for (int axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(v[axis]) || std::abs(v[axis]) > static_cast<double>(std::numeric_limits<float>::max())) {
-      throw PlanningError("The mesh has a coordinate that is no finite number: reconstruct the structure again.");
+      throw CheckFailed("The mesh has a coordinate that is no finite number: reconstruct the structure again.");
     }
     p[static_cast<std::size_t>(axis)] = static_cast<float>(v[axis]) + 0.0F;  // + 0 makes -0 the same vertex as 0
   }

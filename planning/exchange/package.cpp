@@ -66,14 +66,14 @@ const ResectionPlan& chosenPlan(const Case& source, const std::string& name) {
   const auto found =
       std::find_if(source.plans.begin(), source.plans.end(), [&](const ResectionPlan& plan) { return plan.name == name; });
   if (found == source.plans.end()) {
-    throw PlanningError("The case has no plan named \"" + name + "\": choose one of its plans with --plan.");
+    throw UsageError("The case has no plan named \"" + name + "\": choose one of its plans with --plan.");
   }
   return *found;
 }
 
 [[noreturn]] void readBackFailed(const std::string& file, const std::string& fact) {
-  throw PlanningError("\"" + file + "\" was read back and " + fact +
-                      ", so nothing was exported: simplify or reconstruct the structure and export again.");
+  throw CheckFailed("\"" + file + "\" was read back and " + fact +
+                    ", so nothing was exported: simplify or reconstruct the structure and export again.");
 }
 
 FileEntry entryOf(const std::filesystem::path& folder, const std::string& file, const std::string& bytes) {
@@ -107,7 +107,7 @@ FileEntry writeStl(const std::filesystem::path& folder, const PackageMesh& mesh,
 void requireNoSelfIntersections(const PackageMesh& mesh, const ExecutionContext& context) {
   const std::size_t pairs = countSelfIntersections(roundedToFloat(mesh.named.mesh), context);
   if (pairs > 0) {
-    throw PlanningError(
+    throw CheckFailed(
         "\"" + mesh.named.id + "\" would cross itself once rounded to the files' precision (" + std::to_string(pairs) +
         (pairs == 1 ? " pair" : " pairs") + " of triangles), so nothing was exported: " +
         (mesh.role == "structure" ? "reconstruct it with other parameters." : "move the plane a little and export again."));
@@ -177,7 +177,7 @@ std::vector<std::string> writeFiles(const std::filesystem::path& folder, const C
 
   const std::vector<std::string> problems = verifyPackage(folder);
   if (!problems.empty()) {
-    throw PlanningError("The package did not pass its own check, so nothing was exported: " + problems.front());
+    throw CheckFailed("The package did not pass its own check, so nothing was exported: " + problems.front());
   }
   std::vector<std::string> files;
   for (const FileEntry& entry : manifest.files) {

@@ -25,8 +25,8 @@ struct ExportResult {
   std::vector<std::string> files;
 };
 
-/// Throws PlanningError (defects, deviations not accepted, verification failed), InputError (cannot write), Cancelled. On any throw
-/// nothing new is left and an older package is intact.
+/// Throws PlanningError (deviations not accepted, a part not built), CheckFailed (defects, verification failed), UsageError (no
+/// such plan), InputError (cannot write), Cancelled. On any throw nothing new is left and an older package is intact.
 ExportResult exportPackage(const Case& source, const std::filesystem::path& directory, const ExportOptions& options,
                            const ExecutionContext& context = {});
 

@@ -57,8 +57,8 @@ void requireSound(const Structure& structure, const ExecutionContext& context) {
     defects.selfIntersections = countSelfIntersections(mesh, context);
   }
   if (defects.any()) {
-    throw PlanningError("The structure \"" + structure.id + "\" has defects (" + joined(defects.names()) +
-                        ") and is not exported: reconstruct it with other parameters.");
+    throw CheckFailed("The structure \"" + structure.id + "\" has defects (" + joined(defects.names()) +
+                      ") and is not exported: reconstruct it with other parameters.");
   }
 }
 
@@ -109,14 +109,6 @@ struct Pieces {
   SurfaceMesh surface;
 };
 
-CutResult cutPiece(const SurfaceMesh& piece, const HalfSpace& plane, const ExecutionContext& context) {
-  try {
-    return cutForFloats(piece, plane, context);
-  } catch (const ReconstructionError& error) {
-    throw PlanningError(error.what());
-  }
-}
-
 /// Each closed piece cut by each plane in turn: inside is what lies within all half-spaces.
 Pieces cutByAll(const std::vector<SurfaceMesh>& pieces, const std::vector<HalfSpace>& planes, const ExecutionContext& context) {
   Pieces result;
@@ -126,7 +118,7 @@ Pieces cutByAll(const std::vector<SurfaceMesh>& pieces, const std::vector<HalfSp
       if (inside.empty()) {
         break;
       }
-      CutResult halves = cutPiece(inside, plane, context);
+      CutResult halves = cutForFloats(inside, plane, context);
       if (!halves.negative.empty()) {
         result.outside.push_back(std::move(halves.negative));
       }
@@ -192,7 +184,7 @@ void addPlannedParts(const Structure& parenchyma, const ResectionPlan& plan, con
   }
   // Each cut has conserved the volume of the mesh it moved; the moves together are no more than this.
   if (!(std::abs(resectedVolume + volumeOf(remnant) - whole) <= static_cast<double>(cuts) * moved)) {
-    throw PlanningError("The resected parts and the remnant do not add up to the liver: move the plane a little and export again.");
+    throw CheckFailed("The resected parts and the remnant do not add up to the liver: move the plane a little and export again.");
   }
   addPieces(meshes, "remnant", "remnant", -1, parenchyma.colour, std::move(remnant));
   std::move(parts.begin(), parts.end(), std::back_inserter(meshes));

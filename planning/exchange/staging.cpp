@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <regex>
 #include <system_error>
 
 #include "planning/exchange/atomic_file.h"
@@ -18,6 +19,12 @@ namespace {
 constexpr int kMostOfOneName = 1000;
 
 std::string withNumber(const std::string& name, int number) { return number == 1 ? name : name + "_" + std::to_string(number); }
+
+/// .<code>_<plan>_<YYYYMMDD-HHMM>.tmp, or _2, ... before the ending.
+bool isStaging(const std::string& name) {
+  static const std::regex shape(R"(\..+_.+_[0-9]{8}-[0-9]{4}(_[0-9]+)?\.tmp)");
+  return std::regex_match(name, shape);
+}
 
 /// rename() that does not replace, where the file system can; 0 or errno.
 int renameNoReplace(const std::filesystem::path& from, const std::filesystem::path& to) {
@@ -42,10 +49,13 @@ StagingFolder::StagingFolder(const std::filesystem::path& directory, std::string
     directory_ = directory_.parent_path();  // "out/" is "out"
   }
   makeDirectory();
+  removeAbandoned(directory_, isStaging);
   for (int number = 1; staging_.empty() && number <= kMostOfOneName; ++number) {
     const std::filesystem::path candidate = directory_ / ("." + withNumber(name_, number) + ".tmp");
     if (::mkdir(candidate.c_str(), 0777) == 0) {
-      staging_ = candidate;
+      lock_ = FileLock(candidate);
+      // Another program that tidies up may have taken it for an abandoned one before it was locked.
+      staging_ = lock_.holds(candidate) ? candidate : std::filesystem::path();
     } else if (errno != EEXIST) {
       const int error = errno;
       for (auto made = made_.rbegin(); made != made_.rend(); ++made) {

@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "planning/storage/file_lock.h"
+
 namespace glisson {
 
 class StagingFolder {
  public:
-  /// Makes `directory` where it is missing and `.<name>.tmp` (or `.<name>_2.tmp`, ...) in it. Throws InputError.
+  /// Makes `directory` where it is missing and `.<name>.tmp` (or `.<name>_2.tmp`, ...) in it; removes those that
+  /// killed programs left there. Throws InputError.
   StagingFolder(const std::filesystem::path& directory, std::string name);
   /// Removes what was not published, and the directories that were made for it.
   ~StagingFolder();
@@ -29,6 +32,7 @@ class StagingFolder {
   std::string name_;
   std::filesystem::path staging_;
   std::vector<std::filesystem::path> made_;  ///< directories made for this package, outermost first
+  FileLock lock_;                            ///< tells other programs that the staging folder is in use
   bool published_ = false;
 };
 

@@ -51,17 +51,29 @@ void check(const Database& database) {
   }
 }
 
+fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
 /// The temporary file beside the target; gone unless kept.
 class Draft {
  public:
   explicit Draft(const fs::path& target) {
-    std::string name = (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
-    const int descriptor = ::mkstemp(name.data());
-    if (descriptor < 0) {
-      throw InputError(target.string() + " cannot be written; check that its folder is there and that you may write to it.");
+    const std::string begin = "." + target.filename().string() + ".";
+    const std::string ending = "XXXXXX";
+    removeAbandoned(folderOf(target), [&](const std::string& name) {
+      return name.starts_with(begin) && name.size() == begin.size() + ending.size();
+    });
+    // Another program that tidies up may take the new file for an abandoned one before it is locked.
+    constexpr int kTries = 8;
+    for (int n = 0; n < kTries && !lock_.holds(path_); ++n) {
+      std::string name = (target.parent_path() / (begin + ending)).string();
+      const int descriptor = ::mkstemp(name.data());
+      if (descriptor < 0) {
+        throw InputError(target.string() + " cannot be written; check that its folder is there and that you may write to it.");
+      }
+      ::close(descriptor);
+      path_ = name;
+      lock_ = FileLock(path_);
     }
-    ::close(descriptor);
-    path_ = name;
   }
   ~Draft() {
     std::error_code ignored;
@@ -75,6 +87,8 @@ class Draft {
 
   [[nodiscard]] const fs::path& path() const { return path_; }
 
+  FileLock takeLock() { return std::move(lock_); }
+
   void renameTo(const fs::path& target) {
     std::error_code error;
     fs::rename(path_, target, error);
@@ -86,6 +100,7 @@ class Draft {
 
  private:
   fs::path path_;
+  FileLock lock_;
   bool kept_ = false;
 };
 
@@ -128,11 +143,10 @@ CaseFile CaseFile::create(const fs::path& path, const Case& source) {
     database.execute("COMMIT");
   }
   syncToDisk(draft.path());
-  FileLock lock(draft.path());
+  FileLock lock = draft.takeLock();
   settleJournal(path);
   draft.renameTo(path);
-  const fs::path folder = path.parent_path();
-  syncToDisk(folder.empty() ? fs::path(".") : folder);
+  syncToDisk(folderOf(path));
   auto impl = std::make_unique<Impl>(std::move(lock), path);
   impl->meshes = std::move(meshes);
   return CaseFile(std::move(impl));

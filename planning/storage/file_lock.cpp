@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <system_error>
 #include <utility>
 
 #include "reconstruction/errors.h"
@@ -13,11 +15,11 @@ namespace glisson {
 
 FileLock::FileLock(const std::filesystem::path& path) {
   descriptor_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
-  const bool writable = descriptor_ >= 0;
-  if (!writable) {
+  const bool writable = descriptor_ >= 0 || errno == EISDIR;
+  if (descriptor_ < 0) {
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   }
-  writer_ = writable && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+  writer_ = writable && descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
 }
 
 FileLock::~FileLock() {
@@ -40,6 +42,19 @@ bool FileLock::holds(const std::filesystem::path& path) const {
   struct stat named {};
   return descriptor_ >= 0 && ::fstat(descriptor_, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+void removeAbandoned(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& isTemporary) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (!isTemporary(entry.path().filename().string()) || entry.is_symlink(ignored)) {
+      continue;
+    }
+    const FileLock left(entry.path());
+    if (left.isWriter()) {
+      std::filesystem::remove_all(entry.path(), ignored);
+    }
+  }
 }
 
 void syncToDisk(const std::filesystem::path& path) {

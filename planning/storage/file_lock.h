@@ -3,13 +3,16 @@
 // left behind, and a killed program's lock is gone with it.
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 namespace glisson {
 
 class FileLock {
  public:
   FileLock() = default;
-  /// Opens `path` and tries to become its writer; does not wait. isOpen() is false where there is no such file.
+  /// Opens `path`, a file or a folder, and tries to become its writer; does not wait. isOpen() is false where there is no such
+  /// file.
   explicit FileLock(const std::filesystem::path& path);
   ~FileLock();
   FileLock(FileLock&& other) noexcept;
@@ -25,6 +28,10 @@ class FileLock {
   int descriptor_ = -1;
   bool writer_ = false;
 };
+
+/// Removes the temporary files and folders directly in `folder` that a killed program left: those that isTemporary(name) knows and
+/// that nobody is the writer of. Whoever makes one becomes its writer at once, and looks with holds() whether it was faster.
+void removeAbandoned(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& isTemporary);
 
 /// Makes the file's, or the folder's, content durable. Throws InputError.
 void syncToDisk(const std::filesystem::path& path);

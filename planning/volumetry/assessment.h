@@ -11,6 +11,8 @@
 namespace glisson {
 
 enum class TumourState : std::uint8_t { Removed, Cut, Left };
+/// "removed", "cut", "left".
+std::string_view textOf(TumourState state);
 
 struct TumourAssessment {
   std::string id;

@@ -8,6 +8,7 @@ namespace {
 nlohmann::ordered_json orNull(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
+}  // namespace
 
 std::string_view textOf(TumourState state) {
   switch (state) {
@@ -20,7 +21,6 @@ std::string_view textOf(TumourState state) {
   }
   return "left";
 }
-}  // namespace
 
 std::string toJson(const PlanAssessment& assessment) {
   using Json = nlohmann::ordered_json;

@@ -55,7 +55,7 @@ class Counter {
   Counter(const Vec3& spacing, const std::vector<ImageResection>& plan, Resected& result)
       : spacing_(spacing), plan_(plan), result_(result) {}
 
-  void count(const VoxelRun& run) {
+  void count(const RowRun& run) {
     const Box box = boxOf(run, spacing_);
     std::size_t reached = 0;
     std::size_t first = 0;
@@ -101,7 +101,7 @@ class Counter {
   [[nodiscard]] double singlePlaneArea() const { return singlePlaneArea_; }
 
  private:
-  static std::int64_t whole(const VoxelRun& run) { return static_cast<std::int64_t>(run.n) << 32; }
+  static std::int64_t whole(const RowRun& run) { return static_cast<std::int64_t>(run.n) << 32; }
 
   static bool reaches(const Box& box, const ImageResection& resection, std::size_t& planesAcross, const ImagePlane*& last) {
     for (const ImagePlane& plane : resection.planes) {
@@ -222,7 +222,7 @@ Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<Im
   result.units.resize(plan.size());
   result.cutAreaMm2.resize(plan.size());
   Counter counter(spacing, plan, result);
-  for (const VoxelRun& run : rows.runs) {
+  for (const RowRun& run : rows.runs) {
     counter.count(run);
   }
   if (plan.size() == 1 && plan[0].planes.size() == 1) {

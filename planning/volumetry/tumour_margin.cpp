@@ -252,7 +252,7 @@ void keepProjection(const Vec3& p, const std::vector<ImagePlane>& planes, double
 double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal) {
   double greatest = 0;
   normal = Vec3::UnitZ();
-  for (const VoxelRun& run : rows.runs) {
+  for (const RowRun& run : rows.runs) {
     const Box box = boxOf(run, spacing);
     for (unsigned corner = 0; corner < 8; ++corner) {
       const Vec3 p = cornerOf(box, corner);

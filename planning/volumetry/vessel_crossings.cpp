@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "reconstruction/mesh/union_find.h"
+
 namespace glisson {
 
 namespace {
@@ -24,32 +26,13 @@ Span spanOf(const Polygon& polygon) {
   return span;
 }
 
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t of(std::size_t n) {
-    while (parent_[n] != n) {
-      n = parent_[n] = parent_[parent_[n]];
-    }
-    return n;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = of(a);
-    b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// Joins pieces of neighbouring rows whose extents along i come closer than half a voxel: vessels one voxel apart stay two.
-Groups connect(const std::vector<CutPiece>& pieces, const VoxelRows& rows, double spacing) {
-  Groups groups(pieces.size());
-  std::map<std::pair<int, int>, std::vector<std::size_t>> byRow;
+UnionFind connect(const std::vector<CutPiece>& pieces, const VoxelRows& rows, double spacing) {
+  UnionFind groups(pieces.size());
+  std::map<std::pair<int, int>, std::vector<std::uint32_t>> byRow;
   std::vector<Span> spans;
-  for (std::size_t n = 0; n < pieces.size(); ++n) {
-    const VoxelRun& run = rows.runs[pieces[n].run];
+  for (std::uint32_t n = 0; n < pieces.size(); ++n) {
+    const RowRun& run = rows.runs[pieces[n].run];
     byRow[{run.k, run.j}].push_back(n);
     spans.push_back(spanOf(pieces[n].polygon));
   }
@@ -60,10 +43,10 @@ Groups connect(const std::vector<CutPiece>& pieces, const VoxelRows& rows, doubl
         if (other == byRow.end()) {
           continue;
         }
-        for (const std::size_t a : members) {
-          for (const std::size_t b : other->second) {
+        for (const std::uint32_t a : members) {
+          for (const std::uint32_t b : other->second) {
             if (spans[a].low < spans[b].high + 0.5 * spacing && spans[b].low < spans[a].high + 0.5 * spacing) {
-              groups.join(a, b);
+              groups.unite(a, b);
             }
           }
         }
@@ -78,7 +61,7 @@ double obliquity(const VoxelRows& rows, const Vec3& spacing, const Vec3& centre,
   Vec3 sum = Vec3::Zero();
   Mat3 squares = Mat3::Zero();
   double count = 0;
-  for (const VoxelRun& run : rows.runs) {
+  for (const RowRun& run : rows.runs) {
     const double y = run.j * spacing[1] - centre[1];
     const double z = run.k * spacing[2] - centre[2];
     if (y * y + z * z > radius * radius) {
@@ -119,13 +102,13 @@ std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::st
                                             const ImageGeometry& geometry, const std::vector<ImageResection>& plan) {
   const Vec3& spacing = geometry.spacing;
   const std::vector<CutPiece> pieces = cutSurface(rows, spacing, plan);
-  Groups groups = connect(pieces, rows, spacing[0]);
-  std::map<std::size_t, Crossing> found;
-  for (std::size_t n = 0; n < pieces.size(); ++n) {
+  UnionFind groups = connect(pieces, rows, spacing[0]);
+  std::map<std::uint32_t, Crossing> found;
+  for (std::uint32_t n = 0; n < pieces.size(); ++n) {
     const Polygon& polygon = pieces[n].polygon;
     const double area = areaOf(polygon);
     const Vec3 middle = std::accumulate(polygon.begin(), polygon.end(), Vec3(0, 0, 0)) / static_cast<double>(polygon.size());
-    Crossing& crossing = found[groups.of(n)];
+    Crossing& crossing = found[groups.find(n)];
     crossing.area += area;
     crossing.moment += area * middle;
     crossing.normal += area * plan[pieces[n].resection].planes[pieces[n].plane].normal;

@@ -10,7 +10,7 @@
 
 namespace glisson {
 
-struct VoxelRun {
+struct RowRun {
   int i = 0;  ///< first voxel
   int j = 0;
   int k = 0;
@@ -18,7 +18,7 @@ struct VoxelRun {
 };
 
 struct VoxelRows {
-  std::vector<VoxelRun> runs;  ///< by k, j, i
+  std::vector<RowRun> runs;  ///< by k, j, i
   std::size_t voxels = 0;
 };
 
@@ -29,7 +29,7 @@ struct Box {
   Vec3 centre = Vec3::Zero();
   Vec3 half = Vec3::Zero();
 };
-inline Box boxOf(const VoxelRun& run, const Vec3& spacing) {
+inline Box boxOf(const RowRun& run, const Vec3& spacing) {
   return {spacing.cwiseProduct(Vec3(run.i + 0.5 * (run.n - 1), run.j, run.k)), 0.5 * spacing.cwiseProduct(Vec3(run.n, 1, 1))};
 }
 

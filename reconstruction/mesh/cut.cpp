@@ -367,13 +367,12 @@ Vec3 unitNormal(const HalfSpace& plane) {
 void requireNoDefects(const SurfaceMesh& mesh) {
   const MeshDefects defects = mesh.defects();
   if (defects.any()) {
-    throw ReconstructionError("The mesh cannot be cut because it has defects (" + defects.names().front() +
-                              "); reconstruct it again.");
+    throw CheckFailed("The mesh cannot be cut because it has defects (" + defects.names().front() + "); reconstruct it again.");
   }
 }
 
 [[noreturn]] void throwNoSoundCut() {
-  throw ReconstructionError("The mesh cannot be cut cleanly by this plane; move the plane by a fraction of a millimetre.");
+  throw CheckFailed("The mesh cannot be cut cleanly by this plane; move the plane by a fraction of a millimetre.");
 }
 }  // namespace
 

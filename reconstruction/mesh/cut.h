@@ -24,8 +24,8 @@ struct CutResult {
 /// halves closed, oriented, manifold, checked before they are handed out. The section's corners are those of its border; where the
 /// section touches itself in a vertex each half has a copy for each fan; a diagonal that would lie on an edge of the surface that
 /// touches the plane gets a vertex in its middle. Where rounding leaves a section that cannot be filled, the plane is moved along
-/// its normal by up to 3.2e-6 mm. Polls cancel before each try. Throws ReconstructionError where `mesh` has defects or no sound cut
-/// is found.
+/// its normal by up to 3.2e-6 mm. Polls cancel before each try. Throws CheckFailed where `mesh` has defects or no sound cut is
+/// found, ReconstructionError where the plane has no direction.
 CutResult cut(const SurfaceMesh& mesh, const HalfSpace& plane, const ExecutionContext& context = {});
 
 /// The same for parts that go into files of floats, with vertices on the places that floats have, and no self-intersections at the

@@ -30,7 +30,7 @@ HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangle
     twin_[sides[1].corner()] = sides[0].corner();
   });
   if (!closed || std::ranges::find(twin_, kDead) != twin_.end() || countVerticesOfSeveralFans(vertexCount, triangles, edges) > 0) {
-    throw ReconstructionError("The surface is not a closed manifold, so it cannot be simplified; reconstruct it again.");
+    throw CheckFailed("The surface is not a closed manifold, so it cannot be simplified; reconstruct it again.");
   }
 }
 

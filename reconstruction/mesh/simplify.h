@@ -21,8 +21,8 @@ struct SimplifyTarget {
 };
 
 /// A closed manifold mesh with the pieces, handles and volume of `mesh` that does not cross itself where `mesh` did not. May keep
-/// more triangles than asked where fewer would break that. Serial: the same bytes always. Throws ReconstructionError where `mesh`
-/// is not closed and manifold, UsageError, Cancelled (polled every few hundred collapses).
+/// more triangles than asked where fewer would break that. Serial: the same bytes always. Throws CheckFailed where `mesh` is not
+/// closed and manifold, UsageError, Cancelled (polled every few hundred collapses).
 SurfaceMesh simplify(const SurfaceMesh& mesh, const SimplifyTarget& target, const ExecutionContext& context = {});
 
 }  // namespace glisson

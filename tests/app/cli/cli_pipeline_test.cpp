@@ -69,8 +69,8 @@ TEST(CliPlan, UnknownPlanNameIsRefusedAndStoresNothing) {
 TEST(CliPlan, PlaneThatMissesTheLiverIsRefusedAndStoresNothing) {
   const TemporaryFolder folder;
   const std::string file = copyOfCase(folder);
-  expectRefusal(cli({"plan", file, "--plane", "0,0,99999,0,0,1"}), 4, "does not divide the liver");
-  expectRefusal(cli({"plan", file, "--plane", "0,0,99999,0,0,-1"}), 4, "does not divide the liver");
+  expectRefusal(cli({"plan", file, "--plane", "0,0,99999,0,0,1"}), 2, "does not divide the liver");
+  expectRefusal(cli({"plan", file, "--plane", "0,0,99999,0,0,-1"}), 2, "does not divide the liver");
   EXPECT_EQ(Json::parse(cli({"plan", file, "--json"}).out)["resections"].size(), 0U);
 }
 
@@ -94,6 +94,14 @@ TEST(CliExport, PackageIsSoundUntilAByteChangesOrAFileIsMissing) {
   EXPECT_EQ(cli({"verify", package.string()}).exitCode, 0);
   std::filesystem::remove(stl);
   expectRefusal(cli({"verify", package.string()}), 4, "parenchyma.stl");
+}
+
+TEST(CliExport, DeviationsAreRefusedWithTheCaseAndTheFlag) {
+  const TemporaryFolder folder;
+  const Finished refused = cli({"export", sampleCase().string(), "-o", folder / "out"});
+  expectRefusal(refused, 3, "sample.glisson: Structures deviate");
+  expectRefusal(refused, 3, "--accept-deviations");
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{});
 }
 
 TEST(CliExport, FormatsAreThoseAskedFor) {

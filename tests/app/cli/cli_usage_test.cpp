@@ -23,6 +23,12 @@ TEST(CliUsage, HelpNamesEveryCommandAndNoneThatIsMissing) {
   EXPECT_EQ(help.find("evaluate"), std::string::npos);
 }
 
+TEST(CliUsage, AWordThatIsNoCommandIsNamed) {
+  expectRefusal(cli({"bogus"}), 2, "no command bogus");
+  expectRefusal(cli({"bogus", "-x", "--json"}), 2, "no command bogus");
+  expectRefusal(cli({}), 2, "command");
+}
+
 class WrongUsage : public testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(WrongUsage, EndsWithTwoAndOneLineAndWritesNothing) {
@@ -92,6 +98,35 @@ TEST(CliRefusal, OfATruncatedSegmentationKeepsTheOldOutput) {
   expectRefusal(cli({"reconstruct", folder / "cut.seg.nrrd", "-o", folder / "out.stl"}), 3, "cut.seg.nrrd");
   EXPECT_EQ(bytesOf(folder / "out.stl"), "old");
   EXPECT_EQ(namesIn(folder.path()), (Keys{"cut.seg.nrrd", "out.stl"}));
+}
+
+/// A MetaImage of 4 x 4 x 4 voxels of one value, with no word about what they are.
+std::string tinyLabels(const TemporaryFolder& folder, const std::string& name, char value) {
+  std::ofstream(folder / name, std::ios::binary)
+      << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n"
+         "Offset = 0 0 0\nElementSpacing = 1 1 1\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n"
+      << std::string(64, value);
+  return folder / name;
+}
+
+TEST(CliRefusal, OfAnInputWithoutALiverEndsWithThree) {
+  const TemporaryFolder folder;
+  const std::string labels = tinyLabels(folder, "labels.mha", 1);
+  expectRefusal(cli({"reconstruct", labels, "--labels", "1=tumour", "--structure", "parenchyma", "-o", folder / "out.stl"}), 3,
+                "no liver");
+  expectRefusal(cli({"model", labels, "--labels", "1=tumour", "-o", folder / "out.glisson"}), 3, "no liver");
+  expectRefusal(cli({"model", tinyLabels(folder, "empty.mha", 0), "-o", folder / "out.glisson"}), 3, "empty.mha");
+  EXPECT_EQ(namesIn(folder.path()), (Keys{"empty.mha", "labels.mha"}));
+}
+
+TEST(CliInfo, NamesTheFlagForAFolderOfMasksByName) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "masks");
+  tinyLabels(folder, "masks/liver.mha", 1);
+  tinyLabels(folder, "masks/thing.mha", 1);
+  const Finished finished = cli({"info", folder / "masks"});
+  ASSERT_EQ(finished.exitCode, 0) << finished.err;
+  EXPECT_NE(finished.out.find("--labels \"thing=KIND\""), std::string::npos) << finished.out;
 }
 
 TEST(CliInfo, KnowsTheSamplePatientsStructuresAndVolumes) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -16,6 +17,7 @@
 #include "planning/exchange/version.h"
 #include "planning/storage/sha256.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/parallel.h"
 #include "tests/planning/exchange/scratch.h"
 #include "tests/planning/exchange/synthetic_case.h"
 
@@ -32,10 +34,11 @@ ExportOptions stamped() {
   return options;
 }
 
+template <typename Refusal>
 std::string messageOf(const Case& source, const std::filesystem::path& directory, const ExportOptions& options) {
   try {
     exportPackage(source, directory, options);
-  } catch (const PlanningError& error) {
+  } catch (const Refusal& error) {
     return error.what();
   }
   return "(exported)";
@@ -199,11 +202,53 @@ TEST(Package, AWedgeOfTwoPlanesAndASecondResectionStillAddUpToTheLiver) {
   EXPECT_EQ(surfaces, 2U);
 }
 
+TEST(Package, WhatAKilledExportLeftIsGoneAfterTheNextOne) {
+  const Scratch scratch;
+  const Case source = syntheticCase();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const ThreadLimit alone(1);  // the parent's threads are not in this process
+    const ExecutionContext context([](double, std::string_view phase) {
+      if (phase == "Writing") {
+        ::kill(::getpid(), SIGKILL);
+      }
+    });
+    ExportOptions earlier = stamped();
+    earlier.timestamp = "20260102-0300";
+    exportPackage(source, scratch.path, earlier, context);
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  ASSERT_EQ(scratch.entries(), 1U) << "the killed export left nothing, so there is nothing to prove";
+  std::filesystem::create_directory(scratch.path / ".mine.tmp");
+  exportPackage(source, scratch.path, stamped());
+  EXPECT_EQ(scratch.entries(), 2U);
+  EXPECT_TRUE(std::filesystem::exists(scratch.path / ".mine.tmp"));
+}
+
+TEST(Package, AnExportThatIsStillRunningIsNotTidiedAwayByAnother) {
+  const Scratch scratch;
+  const Case source = syntheticCase();
+  bool done = false;
+  const ExecutionContext context([&](double, std::string_view phase) {
+    if (phase == "Writing" && !done) {
+      done = true;
+      exportPackage(source, scratch.path, stamped());
+    }
+  });
+  const ExportResult result = exportPackage(source, scratch.path, stamped(), context);
+  EXPECT_TRUE(done);
+  EXPECT_EQ(verifyPackage(result.folder), std::vector<std::string>{});
+  EXPECT_EQ(scratch.entries(), 2U);
+}
+
 TEST(PackageRefusal, NamesTheStructureAndItsDefect) {
   const Scratch scratch;
   Case source = syntheticCase();
   test::replaceStructure(source, "tumour_01", [](Structure&, Reconstruction& made) { made.mesh.triangles.pop_back(); });
-  const std::string message = messageOf(source, scratch.path, stamped());
+  const std::string message = messageOf<CheckFailed>(source, scratch.path, stamped());
   EXPECT_NE(message.find("tumour_01"), std::string::npos) << message;
   EXPECT_NE(message.find("open"), std::string::npos) << message;
   EXPECT_EQ(scratch.entries(), 0U);
@@ -215,7 +260,7 @@ TEST(PackageRefusal, FindsASelfIntersection) {
   test::replaceStructure(source, "portal_vein", [](Structure&, Reconstruction& made) {
     made.mesh.vertices[0] = test::kLiverCentre - 2.5 * (made.mesh.vertices[0] - test::kLiverCentre);
   });
-  const std::string message = messageOf(source, scratch.path, stamped());
+  const std::string message = messageOf<CheckFailed>(source, scratch.path, stamped());
   EXPECT_NE(message.find("portal_vein"), std::string::npos) << message;
   EXPECT_NE(message.find("self-intersection"), std::string::npos) << message;
 }
@@ -224,7 +269,7 @@ TEST(PackageRefusal, DeviationsAreNamedWithTheFlagThatAcceptsThem) {
   const Scratch scratch;
   Case source = syntheticCase();
   test::replaceStructure(source, "portal_vein", [](Structure&, Reconstruction& made) { made.deviations = {"volume 3.4 %"}; });
-  const std::string message = messageOf(source, scratch.path, stamped());
+  const std::string message = messageOf<PlanningError>(source, scratch.path, stamped());
   EXPECT_NE(message.find("portal_vein (volume 3.4 %)"), std::string::npos) << message;
   EXPECT_NE(message.find("--accept-deviations"), std::string::npos) << message;
   ExportOptions accepted = stamped();
@@ -237,7 +282,7 @@ TEST(PackageRefusal, APlaneThatMissesTheLiverIsSaidSo) {
   const Scratch scratch;
   Case source = syntheticCase();
   source.plans.front().resections.front().planes.front().origin.x() = -200;
-  const std::string message = messageOf(source, scratch.path, stamped());
+  const std::string message = messageOf<PlanningError>(source, scratch.path, stamped());
   EXPECT_NE(message.find("does not divide the liver"), std::string::npos) << message;
   EXPECT_EQ(scratch.entries(), 0U);
 }
@@ -247,15 +292,15 @@ TEST(PackageRefusal, AnUnbuiltStructureAndAnUnknownPlanAreNamed) {
   Case source = syntheticCase();
   ExportOptions options = stamped();
   options.planName = "No such plan";
-  EXPECT_NE(messageOf(source, scratch.path, options).find("No such plan"), std::string::npos);
+  EXPECT_NE(messageOf<UsageError>(source, scratch.path, options).find("No such plan"), std::string::npos);
   auto model = std::make_shared<LiverModel>(*source.model);
   model->structures.back().reconstruction.reset();
   source.model = model;
-  EXPECT_NE(messageOf(source, scratch.path, stamped()).find("has not been built"), std::string::npos);
+  EXPECT_NE(messageOf<PlanningError>(source, scratch.path, stamped()).find("has not been built"), std::string::npos);
   model = std::make_shared<LiverModel>(*source.model);
   model->structures.erase(model->structures.begin());
   source.model = model;
-  EXPECT_NE(messageOf(source, scratch.path, stamped()).find("no parenchyma"), std::string::npos);
+  EXPECT_NE(messageOf<PlanningError>(source, scratch.path, stamped()).find("no parenchyma"), std::string::npos);
 }
 
 TEST(PackageFaults, ADirectoryThatCannotBeMadeOrWrittenIsNamedAndNothingIsLeft) {

@@ -140,7 +140,7 @@ TEST(Package, APartThatRoundingMakesCrossItselfIsRefused) {
   const Scratch scratch;
   ExportOptions options;
   options.timestamp = "20260102-0304";
-  EXPECT_THROW(exportPackage(source, scratch.path, options), PlanningError);
+  EXPECT_THROW(exportPackage(source, scratch.path, options), CheckFailed);
   EXPECT_EQ(scratch.entries(), 0U);
 }
 

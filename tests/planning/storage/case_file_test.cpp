@@ -14,6 +14,7 @@
 #include <fstream>
 #include <thread>
 
+#include "planning/storage/file_lock.h"
 #include "reconstruction/errors.h"
 #include "tests/planning/voxel_bodies.h"
 
@@ -409,6 +410,30 @@ TEST_F(CaseFileTest, KnowsWhetherTheCtIsStillTheSame) {
   EXPECT_FALSE(made.ctUnchanged());
   fs::remove_all(folder_ / "ct");
   EXPECT_FALSE(made.ctUnchanged());
+}
+
+TEST_F(CaseFileTest, ADraftOfAKilledProgramIsRemovedAndThatOfALivingOneIsNot) {
+  std::array<int, 2> ready{};
+  ASSERT_EQ(::pipe(ready.data()), 0);
+  const fs::path draft = folder_ / ("." + file().filename().string() + ".a1B2c3");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::ofstream(draft) << "half a case";
+    const FileLock held(draft);
+    const char byte = held.isWriter() ? 'w' : 'r';
+    (void)!::write(ready[1], &byte, 1);
+    ::pause();
+    ::_exit(0);
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  ASSERT_EQ(byte, 'w');
+  (void)CaseFile::create(file(), sampleCase());
+  EXPECT_TRUE(fs::exists(draft));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  (void)CaseFile::create(file(), sampleCase());
+  EXPECT_EQ(entries(), 1U);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ double boxesToPlane(const Case& liver, const HalfSpace& plane) {
   const ImageGeometry& g = liver.segmentation->geometry;
   const ImagePlane image = toImage(plane, g);
   double least = 1e9;
-  for (const VoxelRun& run : rowsOf(liver.liver->tumour).runs) {
+  for (const RowRun& run : rowsOf(liver.liver->tumour).runs) {
     const Box box = boxOf(run, g.spacing);
     least = std::min(least, image.distance(box.centre) - image.support(box.half));
   }
@@ -110,7 +110,7 @@ TEST(Margin, FastSearchEqualsBruteForceWhereTheCutEndsBesideTheTumour) {
     const ImageGeometry& g = liver.segmentation->geometry;
     double brute = 1e9;
     const auto pieces = cutSurface(rowsOf(liver.liver->liver), g.spacing, toImage(planOf({{plane}}), g));
-    for (const VoxelRun& run : rowsOf(liver.liver->tumour).runs) {
+    for (const RowRun& run : rowsOf(liver.liver->tumour).runs) {
       for (const CutPiece& piece : pieces) {
         brute = std::min(brute, shortestWay(boxOf(run, g.spacing), piece.polygon).mm);
       }
@@ -144,7 +144,7 @@ TEST(Margin, CutByAWedgeIsTheDepthToItsEdge) {
   ASSERT_EQ(t.state, TumourState::Cut);
   double deepest = 0;
   const ImageGeometry& g = liver.segmentation->geometry;
-  for (const VoxelRun& run : rowsOf(liver.liver->tumour).runs) {
+  for (const RowRun& run : rowsOf(liver.liver->tumour).runs) {
     const Vec3 low = g.toWorld(Vec3(run.i - 0.5, run.j - 0.5, run.k));
     const Vec3 high = g.toWorld(Vec3(run.i + run.n - 0.5, run.j + 0.5, run.k));
     for (const double y : {low[1], high[1]}) {

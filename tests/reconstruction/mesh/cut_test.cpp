@@ -239,7 +239,7 @@ TEST(Cut, AMeshWithDefectsOrAPlaneWithoutDirectionIsRefused) {
   SurfaceMesh mesh = sphere(Vec3::Zero(), 1.0, 2);
   EXPECT_THROW(cut(mesh, {Vec3::Zero(), Vec3::Zero()}), ReconstructionError);
   mesh.triangles.pop_back();
-  EXPECT_THROW(cut(mesh, {}), ReconstructionError);
+  EXPECT_THROW(cut(mesh, {}), CheckFailed);
 }
 
 TEST(Cut, ACancelledCutEnds) {
