@@ -1,6 +1,6 @@
 # cmake -DROOT=<project> -P check_layers.cmake
 # Includes go one way: app -> viewer -> planning -> reconstruction. Public headers of reconstruction/ and planning/ show no type of
-# VTK, ITK, DCMTK or OpenMesh, and neither room knows Qt.
+# VTK, ITK, DCMTK or OpenMesh, and neither room knows Qt. Only viewer/ knows what renders, only app/ knows QThread and QUndoStack.
 cmake_minimum_required(VERSION 3.25)
 set(rooms reconstruction planning viewer app)
 set(below_reconstruction reconstruction)
@@ -40,9 +40,12 @@ foreach(room ${rooms})
         if(source MATCHES "\\.h$" AND included MATCHES "${hidden}")
           problem("${source} includes ${included}: public headers show no VTK, ITK, DCMTK or OpenMesh type")
         endif()
-        if(included MATCHES "^vtk.*(Render|Actor|Mapper|OpenGL|Interactor)")
-          problem("${source} includes ${included}: only viewer/ renders")
-        endif()
+      endif()
+      if(NOT room STREQUAL viewer AND included MATCHES "^vtk.*(Render|Actor|Mapper|OpenGL|Interactor)")
+        problem("${source} includes ${included}: only viewer/ renders")
+      endif()
+      if(NOT room STREQUAL app AND included MATCHES "^(QtCore/|QtGui/|QtWidgets/)?(QThread|QUndo[A-Z][a-z]*)$")
+        problem("${source} includes ${included}: only app/ has threads and undo")
       endif()
     endforeach()
   endforeach()
