@@ -10,9 +10,14 @@
 
 #include <Eigen/Geometry>
 
+#include "viewer/clustering.h"
+
 namespace glisson {
 
 namespace {
+
+/// Per structure; software OpenGL draws a whole model of such within 100 ms a frame.
+constexpr std::size_t kCoarseTriangles = 6000;
 
 std::vector<Vec3> vertexNormals(const SurfaceMesh& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
@@ -76,5 +81,19 @@ vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceMesh& mesh) {
   poly->GetPointData()->SetNormals(normals);
   return poly;
 }
+
+std::shared_ptr<const DisplayMesh> makeDisplayMesh(std::shared_ptr<const Reconstruction> reconstruction) {
+  auto made = std::make_shared<DisplayMesh>();
+  made->source = std::move(reconstruction);
+  made->coarse = clustered(made->source->mesh, kCoarseTriangles);
+  made->full = toPolyData(made->source->mesh);
+  made->coarsePoly = toPolyData(made->coarse);
+  for (vtkPolyData* poly : {made->full.Get(), made->coarsePoly.Get()}) {
+    poly->ComputeBounds();  // else the first frame computes and keeps them
+  }
+  return made;
+}
+
+const Reconstruction& sourceOf(const DisplayMesh& mesh) { return *mesh.source; }
 
 }  // namespace glisson

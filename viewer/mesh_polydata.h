@@ -4,7 +4,7 @@
 
 #include <vtkSmartPointer.h>
 
-#include "reconstruction/mesh/surface_mesh.h"
+#include "viewer/display_mesh.h"
 
 class vtkPolyData;
 
@@ -12,5 +12,12 @@ namespace glisson {
 
 /// Points, triangles and one area-weighted unit normal per vertex.
 vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceMesh& mesh);
+
+struct DisplayMesh {
+  std::shared_ptr<const Reconstruction> source;
+  SurfaceMesh coarse;  ///< stand-in while something moves
+  vtkSmartPointer<vtkPolyData> full;
+  vtkSmartPointer<vtkPolyData> coarsePoly;
+};
 
 }  // namespace glisson

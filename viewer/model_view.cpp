@@ -41,14 +41,15 @@ ModelView::~ModelView() {
   doneCurrent();
 }
 
-void ModelView::setModel(std::shared_ptr<const LiverModel> model) {
+void ModelView::setModel(std::shared_ptr<const LiverModel> model, const std::vector<std::shared_ptr<const DisplayMesh>>& ready) {
   Impl& d = *impl_;
   d.model = std::move(model);
-  if (d.showStructures()) {
+  if (d.showStructures(ready)) {
     d.lookFrom(Vec3::UnitY(), Vec3::UnitZ());
   } else {
     d.fitAgain();
   }
+  d.scene.touch();  // structures arrive one after the other: quick frames until they rest
   requestRender();
 }
 

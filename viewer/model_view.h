@@ -10,6 +10,7 @@
 
 #include "planning/case/liver_model.h"
 #include "reconstruction/mesh/cut.h"
+#include "viewer/display_mesh.h"
 #include "viewer/view_camera.h"
 #include "viewer/vtk_widget.h"
 
@@ -25,8 +26,8 @@ class ModelView : public VtkWidget {
 
   /// Shows this snapshot; structures without a mesh are left out, unchanged meshes are not uploaded again. Null clears the view.
   /// The camera is placed (from anterior) when the first structure of a new patient appears, and makes room for the next ones
-  /// until the user moves it.
-  void setModel(std::shared_ptr<const LiverModel> model);
+  /// until the user moves it. Surfaces that are not among `ready` are made ready here, which keeps the caller waiting.
+  void setModel(std::shared_ptr<const LiverModel> model, const std::vector<std::shared_ptr<const DisplayMesh>>& ready = {});
   /// The resection plane, drawn only inside the parenchyma's mesh, with grid, handles and two sides told apart (the resected side
   /// is tinted and labelled); nothing hides it. Emits no signal.
   void setPlane(std::optional<HalfSpace> plane);

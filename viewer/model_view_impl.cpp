@@ -4,6 +4,7 @@
 #include <vtkProperty.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numbers>
 
 namespace glisson {
@@ -50,7 +51,7 @@ void ModelView::Impl::makeCube() {
   marker->InteractiveOff();
 }
 
-bool ModelView::Impl::showStructures() {
+bool ModelView::Impl::showStructures(const std::vector<std::shared_ptr<const DisplayMesh>>& ready) {
   std::map<std::string, std::unique_ptr<StructureActors>> shown;
   bool anyKept = false;
   parenchyma.clear();
@@ -67,7 +68,9 @@ bool ModelView::Impl::showStructures() {
       structures.erase(old);
       anyKept = true;
     } else {
-      actors = std::make_unique<StructureActors>(scene.renderer, structure.reconstruction, isParenchyma);
+      const auto made = std::ranges::find_if(ready, [&](const auto& mesh) { return mesh->source == structure.reconstruction; });
+      actors = std::make_unique<StructureActors>(
+          scene.renderer, made != ready.end() ? *made : makeDisplayMesh(structure.reconstruction), isParenchyma);
       scene.forgetFrameTimes();
     }
     actors->setLook(structure.colour, structure.opacity, structure.visible);

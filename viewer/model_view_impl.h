@@ -41,7 +41,7 @@ struct ModelView::Impl {
 
   void makeCube();
   /// Shows the structures of `model`; true where none of those shown before is left (a new patient).
-  bool showStructures();
+  bool showStructures(const std::vector<std::shared_ptr<const DisplayMesh>>& ready);
   void updateSection(bool coarse);
   void prepareFrame(FrameQuality quality);
   /// Places the camera so that the whole model is seen along `direction`.

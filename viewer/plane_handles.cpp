@@ -21,6 +21,16 @@ double distanceToSegment(const Pixel& point, const Pixel& a, const Pixel& b) {
   return (point - (a + t * along)).norm();
 }
 
+/// The point moved in the picture's plane, so that what stands around it is not cut off at the view's border.
+Vec3 insideView(const Vec3& point, const ViewCamera& camera, double halfWidth, double halfHeight) {
+  const auto kept = [](double at, double half, double size) {
+    return size > 2 * half ? std::clamp(at, half, size - half) : 0.5 * size;
+  };
+  const Pixel at = camera.toPixel(point);
+  const Pixel moved = Pixel(kept(at.x(), halfWidth, camera.width), kept(at.y(), halfHeight, camera.height)) - at;
+  return point + camera.mmPerPixel(point) * (moved.x() * camera.right() - moved.y() * camera.up);
+}
+
 bool isTilt(PlaneHandle handle) { return handle != PlaneHandle::Centre && handle != PlaneHandle::Normal; }
 
 }  // namespace
@@ -37,6 +47,7 @@ HandleLayout layoutHandles(const HalfSpace& plane, const Vec3& anchor, const std
   const Vec3 acrossView = plane.normal - plane.normal.dot(camera.forward) * camera.forward;
   layout.label =
       layout.arrowTip + layout.mmPerPixel * (kLabelPixels * acrossView - kLabelBelow * (1.0 - acrossView.norm()) * camera.up);
+  layout.label = insideView(layout.label, camera, kLabelHalfWidth, kLabelHalfHeight);
   const PlaneAxes axes = axesOf(plane.normal);
   const std::array<Vec3, 4> directions{axes.u, axes.v, -axes.u, -axes.v};
   const Pixel centre = camera.toPixel(anchor);

@@ -15,6 +15,9 @@ enum class PlaneHandle { Centre, Normal, TiltRight, TiltUp, TiltLeft, TiltDown }
 
 inline constexpr double kHandlePixels = 8.0;  ///< radius of the spheres
 inline constexpr double kArrowPixels = 80.0;  ///< length of the arrow along the normal
+/// Half of the room the word at the arrow takes, in every language; it stays inside the view.
+inline constexpr double kLabelHalfWidth = 46.0;
+inline constexpr double kLabelHalfHeight = 14.0;
 
 struct HandleLayout {
   Vec3 anchor = Vec3::Zero();  ///< centre sphere, foot of the arrow, pivot of a tilt

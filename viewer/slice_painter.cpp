@@ -110,27 +110,51 @@ void drawCrosshair(QPainter& painter, const QPointF& at, const QSize& size, Slic
   }
 }
 
-void drawEdgedText(QPainter& painter, const QRectF& box, int flags, const QString& text) {
+QRectF drawEdgedText(QPainter& painter, const QRectF& box, int flags, const QString& text) {
   painter.setPen(kDark);
   for (const QPointF& offset : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)}) {
     painter.drawText(box.translated(offset), flags, text);
   }
   painter.setPen(QColor(235, 235, 235));
-  painter.drawText(box, flags, text);
+  QRectF where;
+  painter.drawText(box, flags, text, &where);
+  return where;
 }
 
-void drawLetters(QPainter& painter, const SliceGeometry& geometry, const QSize& size) {
+std::array<QRectF, 4> letterBoxes(const QSize& view, const QSizeF& letter, const std::vector<QRectF>& taken) {
+  constexpr double kInset = 6.0;
+  const double right = view.width() - kInset - letter.width();
+  const double bottom = view.height() - kInset - letter.height();
+  const QPointF middle(0.5 * (view.width() - letter.width()), 0.5 * (view.height() - letter.height()));
+  std::array<QRectF, 4> boxes{QRectF(QPointF(kInset, middle.y()), letter), QRectF(QPointF(right, middle.y()), letter),
+                              QRectF(QPointF(middle.x(), kInset), letter), QRectF(QPointF(middle.x(), bottom), letter)};
+  constexpr std::size_t kTop = 2;
+  for (std::size_t n = 0; n < boxes.size(); ++n) {
+    for (const QRectF& text : taken) {
+      if (boxes[n].intersects(text) && n == kTop) {
+        boxes[n].moveTop(text.bottom());
+      } else if (boxes[n].intersects(text)) {
+        boxes[n].moveBottom(text.top());
+      }
+    }
+  }
+  return boxes;
+}
+
+void drawLetters(QPainter& painter, const SliceGeometry& geometry, const QSize& size, const std::vector<QRectF>& taken) {
   const std::array<char, 4> letters = geometry.letters();
-  constexpr std::array<int, 4> kPlaces{Qt::AlignLeft | Qt::AlignVCenter, Qt::AlignRight | Qt::AlignVCenter,
-                                       Qt::AlignHCenter | Qt::AlignTop, Qt::AlignHCenter | Qt::AlignBottom};
   QFont font = painter.font();
   font.setBold(true);
   font.setPointSizeF(font.pointSizeF() * 1.3);
   painter.save();
   painter.setFont(font);
-  const QRectF box = QRectF(QPointF(0, 0), QSizeF(size)).adjusted(6, 6, -6, -6);
-  for (std::size_t n = 0; n < 4; ++n) {
-    drawEdgedText(painter, box, kPlaces[n], QString(QLatin1Char(letters[n])));
+  const QFontMetricsF metrics(font);
+  const std::array<QRectF, 4> boxes =
+      letterBoxes(size, QSizeF(metrics.horizontalAdvance(QLatin1Char('W')), metrics.height()), taken);
+  constexpr std::array<int, 4> kPlaces{Qt::AlignLeft | Qt::AlignVCenter, Qt::AlignRight | Qt::AlignVCenter,
+                                       Qt::AlignHCenter | Qt::AlignTop, Qt::AlignHCenter | Qt::AlignBottom};
+  for (std::size_t n = 0; n < boxes.size(); ++n) {
+    drawEdgedText(painter, boxes[n], kPlaces[n], QString(QLatin1Char(letters[n])));
   }
   painter.restore();
 }

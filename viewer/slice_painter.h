@@ -4,7 +4,9 @@
 #include <QColor>
 #include <QPainter>
 #include <QTransform>
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "reconstruction/mesh/cut.h"
 #include "viewer/slice_geometry.h"
@@ -22,8 +24,11 @@ std::optional<std::pair<SlicePoint, SlicePoint>> planeLine(const SliceGeometry& 
 void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, const HalfSpace& plane, const QTransform& toWidget);
 /// Vertical line in the colour of `vertical`, horizontal line in that of `horizontal`, with a gap at the crossing.
 void drawCrosshair(QPainter& painter, const QPointF& at, const QSize& size, SliceAxis vertical, SliceAxis horizontal);
-void drawLetters(QPainter& painter, const SliceGeometry& geometry, const QSize& size);
-/// White text with a dark edge, readable on any grey.
-void drawEdgedText(QPainter& painter, const QRectF& box, int flags, const QString& text);
+/// Boxes of letters of this size in the middle of the left, right, top and bottom edge of a view; one that would lie on a box that
+/// is taken stands above it (at the top: below it).
+std::array<QRectF, 4> letterBoxes(const QSize& view, const QSizeF& letter, const std::vector<QRectF>& taken);
+void drawLetters(QPainter& painter, const SliceGeometry& geometry, const QSize& size, const std::vector<QRectF>& taken);
+/// White text with a dark edge, readable on any grey. Returns where it is.
+QRectF drawEdgedText(QPainter& painter, const QRectF& box, int flags, const QString& text);
 
 }  // namespace glisson

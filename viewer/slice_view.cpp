@@ -34,6 +34,17 @@ std::pair<SliceAxis, SliceAxis> otherAxes(SliceAxis axis) {
   return {SliceAxis::Coronal, SliceAxis::Axial};
 }
 
+/// Outlines come from the voxels: a surface that was made changes nothing in a slice.
+bool looksTheSame(const LiverModel* a, const LiverModel* b) {
+  if (a == nullptr || b == nullptr) {
+    return a == b;
+  }
+  return std::ranges::equal(a->structures, b->structures, [](const Structure& one, const Structure& other) {
+    return one.kind == other.kind && one.sourceIndex == other.sourceIndex && one.colour == other.colour &&
+           one.visible == other.visible;
+  });
+}
+
 }  // namespace
 
 struct SliceView::Impl {
@@ -41,6 +52,7 @@ struct SliceView::Impl {
   SliceAxis axis = SliceAxis::Axial;
   std::shared_ptr<const CtVolume> ct;
   std::shared_ptr<const Segmentation> segmentation;
+  std::shared_ptr<const LiverVoxels> liver;
   std::shared_ptr<const LiverModel> model;
   std::optional<HalfSpace> plane;
   std::optional<SliceGeometry> geometry;
@@ -60,7 +72,8 @@ struct SliceView::Impl {
   [[nodiscard]] SlicePoint toSlice(const QPointF& pixel) const;
   void drawVoxels(QPainter& painter) const;
   void drawOutlines(QPainter& painter, const QTransform& transform) const;
-  void drawTexts(QPainter& painter) const;
+  /// Returns where the texts are.
+  [[nodiscard]] std::vector<QRectF> drawTexts(QPainter& painter) const;
   void redraw() {
     cache = QPixmap();
     view->update();
@@ -109,8 +122,11 @@ void SliceView::Impl::drawOutlines(QPainter& painter, const QTransform& transfor
         !segmentation->structures[source].mask) {
       continue;
     }
+    const bool counted = structure.kind == StructureKind::Liver && liver != nullptr;
+    const Mask& mask = counted ? liver->liver : *segmentation->structures[source].mask;
+    const ImageGeometry& grid = counted ? liver->geometry : segmentation->geometry;
     QVector<QLineF> lines;
-    for (const auto& [a, b] : outlineOf(*segmentation->structures[source].mask, segmentation->geometry, *geometry, slice)) {
+    for (const auto& [a, b] : outlineOf(mask, grid, *geometry, slice)) {
       lines.append(QLineF(transform.map(QPointF(a.x(), a.y())), transform.map(QPointF(b.x(), b.y()))));
     }
     painter.setPen(QPen(QColor(structure.colour.r, structure.colour.g, structure.colour.b), 1.4));
@@ -118,7 +134,7 @@ void SliceView::Impl::drawOutlines(QPainter& painter, const QTransform& transfor
   }
 }
 
-void SliceView::Impl::drawTexts(QPainter& painter) const {
+std::vector<QRectF> SliceView::Impl::drawTexts(QPainter& painter) const {
   const QRectF box = QRectF(view->rect()).adjusted(8, 8, -8, -8);
   const Vec3 centre = geometry->toWorld({0.5 * (geometry->columns() - 1), 0.5 * (geometry->rows() - 1)}, slice);
   QString name;
@@ -137,14 +153,16 @@ void SliceView::Impl::drawTexts(QPainter& painter) const {
       position = (centre.x() >= 0 ? "L " : "R ") + QString::fromStdString(formatNumber(std::abs(centre.x()), 1));
       break;
   }
-  drawEdgedText(painter, box, Qt::AlignLeft | Qt::AlignTop, name);
+  std::vector<QRectF> taken;
+  taken.push_back(drawEdgedText(painter, box, Qt::AlignLeft | Qt::AlignTop, name));
   const int number = geometry->sliceFlipped ? geometry->slices() - slice : slice + 1;
-  drawEdgedText(painter, box, Qt::AlignLeft | Qt::AlignBottom,
-                SliceView::tr("%1 mm\nslice %2 of %3").arg(position).arg(number).arg(geometry->slices()));
+  taken.push_back(drawEdgedText(painter, box, Qt::AlignLeft | Qt::AlignBottom,
+                                SliceView::tr("%1 mm\nslice %2 of %3").arg(position).arg(number).arg(geometry->slices())));
   if (ct) {
-    drawEdgedText(painter, box, Qt::AlignRight | Qt::AlignBottom,
-                  SliceView::tr("W %1\nL %2").arg(qRound(windowLevel.width)).arg(qRound(windowLevel.level)));
+    taken.push_back(drawEdgedText(painter, box, Qt::AlignRight | Qt::AlignBottom,
+                                  SliceView::tr("W %1\nL %2").arg(qRound(windowLevel.width)).arg(qRound(windowLevel.level))));
   }
+  return taken;
 }
 
 SliceView::SliceView(SliceAxis axis, QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>()) {
@@ -165,10 +183,12 @@ void SliceView::retranslate() {
                                                         : tr("Sagittal slices"));
 }
 
-void SliceView::setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<const Segmentation> segmentation) {
+void SliceView::setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<const Segmentation> segmentation,
+                           std::shared_ptr<const LiverVoxels> liver) {
   Impl& d = *impl_;
   d.ct = std::move(ct);
   d.segmentation = std::move(segmentation);
+  d.liver = std::move(liver);
   d.geometry.reset();
   if (d.ct || d.segmentation) {
     d.geometry = SliceGeometry(d.ct ? d.ct->geometry : d.segmentation->geometry, d.axis);
@@ -181,8 +201,11 @@ void SliceView::setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<c
 }
 
 void SliceView::setModel(std::shared_ptr<const LiverModel> model) {
+  const bool redraw = !looksTheSame(impl_->model.get(), model.get());
   impl_->model = std::move(model);
-  impl_->redraw();
+  if (redraw) {
+    impl_->redraw();
+  }
 }
 
 void SliceView::setPlane(std::optional<HalfSpace> plane) {
@@ -244,8 +267,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     if (d.plane) {
       drawPlaneLine(painter, *d.geometry, d.slice, *d.plane, d.toWidget());
     }
-    drawLetters(painter, *d.geometry, size());
-    d.drawTexts(painter);
+    drawLetters(painter, *d.geometry, size(), d.drawTexts(painter));
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.fillRect(QRect(0, 0, width(), 3), viewColour(d.axis));

@@ -26,8 +26,10 @@ class SliceView : public QWidget {
   explicit SliceView(SliceAxis axis, QWidget* parent = nullptr);
   ~SliceView() override;
 
-  /// The CT (may be null: outlines on black) and the masks. Slices run along the index axis nearest to the view's LPS axis.
-  void setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<const Segmentation> segmentation);
+  /// The CT (may be null: outlines on black) and the masks. Slices run along the index axis nearest to the view's LPS axis. With
+  /// `liver` the parenchyma's outline is that of L, the voxels every number counts; else that of its mask as it was read.
+  void setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<const Segmentation> segmentation,
+                  std::shared_ptr<const LiverVoxels> liver = nullptr);
   /// Visibility and colours of outlines come from the model's structures (by sourceIndex).
   void setModel(std::shared_ptr<const LiverModel> model);
   void setPlane(std::optional<HalfSpace> plane);

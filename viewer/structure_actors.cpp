@@ -7,15 +7,10 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include "viewer/clustering.h"
-#include "viewer/mesh_polydata.h"
-
 namespace glisson {
 
 namespace {
 
-/// Per structure; software OpenGL draws a whole model of such within 100 ms a frame.
-constexpr std::size_t kCoarseTriangles = 6000;
 constexpr double kResectedOpacity = 0.75;  ///< of the structure's own
 
 void setColour(vtkActor* actor, Rgb colour) {
@@ -30,14 +25,11 @@ Rgb resectedColour(Rgb colour) {
   return {mix(colour.r, 150), mix(colour.g, 180), mix(colour.b, 205)};
 }
 
-StructureActors::StructureActors(vtkRenderer* renderer, std::shared_ptr<const Reconstruction> reconstruction, bool split)
-    : renderer_(renderer), reconstruction_(std::move(reconstruction)) {
-  coarse_ = clustered(mesh(), kCoarseTriangles);
-  const auto full = toPolyData(mesh());
-  const auto coarse = toPolyData(coarse_);
-  remnant_ = makeSide(full, coarse);
+StructureActors::StructureActors(vtkRenderer* renderer, std::shared_ptr<const DisplayMesh> mesh, bool split)
+    : renderer_(renderer), mesh_(std::move(mesh)) {
+  remnant_ = makeSide();
   if (split) {
-    resected_ = makeSide(full, coarse);
+    resected_ = makeSide();
   }
 }
 
@@ -48,14 +40,14 @@ StructureActors::~StructureActors() {
   }
 }
 
-StructureActors::Side StructureActors::makeSide(vtkPolyData* full, vtkPolyData* coarse) {
+StructureActors::Side StructureActors::makeSide() {
   Side side;
   side.clip = vtkSmartPointer<vtkPlane>::New();
   side.full = vtkSmartPointer<vtkPolyDataMapper>::New();
-  side.full->SetInputData(full);
+  side.full->SetInputData(mesh_->full);
   side.full->ScalarVisibilityOff();
   side.coarse = vtkSmartPointer<vtkPolyDataMapper>::New();
-  side.coarse->SetInputData(coarse);
+  side.coarse->SetInputData(mesh_->coarsePoly);
   side.coarse->ScalarVisibilityOff();
   side.actor = vtkSmartPointer<vtkActor>::New();
   side.actor->SetMapper(side.full);

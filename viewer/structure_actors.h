@@ -9,8 +9,8 @@
 #include <memory>
 #include <optional>
 
-#include "planning/case/liver_model.h"
 #include "reconstruction/mesh/cut.h"
+#include "viewer/mesh_polydata.h"
 
 class vtkActor;
 class vtkPlane;
@@ -25,8 +25,8 @@ Rgb resectedColour(Rgb colour);
 
 class StructureActors {
  public:
-  /// Uploads the mesh. `split`: the plane cuts this structure (the parenchyma).
-  StructureActors(vtkRenderer* renderer, std::shared_ptr<const Reconstruction> reconstruction, bool split);
+  /// The mesh is uploaded with the next frame. `split`: the plane cuts this structure (the parenchyma).
+  StructureActors(vtkRenderer* renderer, std::shared_ptr<const DisplayMesh> mesh, bool split);
   ~StructureActors();
   StructureActors(const StructureActors&) = delete;
   StructureActors& operator=(const StructureActors&) = delete;
@@ -36,9 +36,9 @@ class StructureActors {
   /// The coarse stand-in instead of the mesh.
   void setSimplified(bool simplified);
 
-  [[nodiscard]] const Reconstruction* source() const { return reconstruction_.get(); }
-  [[nodiscard]] const SurfaceMesh& mesh() const { return reconstruction_->mesh; }
-  [[nodiscard]] const SurfaceMesh& coarseMesh() const { return coarse_; }
+  [[nodiscard]] const Reconstruction* source() const { return mesh_->source.get(); }
+  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_->source->mesh; }
+  [[nodiscard]] const SurfaceMesh& coarseMesh() const { return mesh_->coarse; }
   [[nodiscard]] bool translucent() const { return visible_ && opacity_ < 1.0; }
   [[nodiscard]] bool visible() const { return visible_; }
 
@@ -50,12 +50,11 @@ class StructureActors {
     vtkSmartPointer<vtkPolyDataMapper> coarse;
     vtkSmartPointer<vtkPlane> clip;
   };
-  Side makeSide(vtkPolyData* full, vtkPolyData* coarse);
+  Side makeSide();
   void apply();
 
   vtkRenderer* renderer_;
-  std::shared_ptr<const Reconstruction> reconstruction_;
-  SurfaceMesh coarse_;
+  std::shared_ptr<const DisplayMesh> mesh_;
   Side remnant_;
   std::optional<Side> resected_;
   Rgb colour_;

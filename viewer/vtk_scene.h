@@ -37,6 +37,7 @@ struct VtkWidget::Scene {
   double plainMs = 0;         ///< time of the last full frame without peeling; 0 unknown
   double peeledMs = 0;        ///< time of the last peeled frame; 0 unknown
   double movingMs = 0;        ///< time of the last moving frame at full resolution; 0 unknown
+  double area = 0;            ///< logical pixels of the last resize
   int movingFrames = 0;
   int plainFrames = 0;      ///< full frames drawn since the times were forgotten; the first of each kind also
   int peeledFrames = 0;     ///< uploads and compiles, so its time is not kept
@@ -50,8 +51,10 @@ struct VtkWidget::Scene {
   [[nodiscard]] double frameScale(FrameQuality quality) const;
   /// After a full frame: keeps its time. True where another one is worth drawing soon (to measure it, or to peel).
   bool rememberFrameTime(FrameQuality quality, double scale, double ms);
-  /// After the set of meshes or the size has changed: old frame times say nothing.
+  /// After the set of meshes has changed: old frame times say nothing.
   void forgetFrameTimes();
+  /// After the size has changed by this factor of its area: the old times tell about the new ones.
+  void scaleFrameTimes(double factor);
 };
 
 }  // namespace glisson

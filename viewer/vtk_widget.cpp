@@ -74,6 +74,12 @@ void VtkWidget::Scene::forgetFrameTimes() {
   plainFrames = peeledFrames = movingFrames = 0;
 }
 
+void VtkWidget::Scene::scaleFrameTimes(double factor) {
+  for (double* ms : {&plainMs, &peeledMs, &movingMs}) {
+    *ms *= factor;
+  }
+}
+
 VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_unique<Scene>()) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -170,7 +176,12 @@ void VtkWidget::releaseGraphics() {
   doneCurrent();
 }
 
-void VtkWidget::resizeGL(int /*width*/, int /*height*/) { scene_->forgetFrameTimes(); }
+void VtkWidget::resizeGL(int width, int height) {
+  const double area = std::max(1.0, static_cast<double>(width) * height);
+  scene_->scaleFrameTimes(scene_->area > 0 ? area / scene_->area : 1.0);
+  scene_->area = area;
+  scene_->touch();  // Qt draws at once after every step of a resize: quick frames until it rests
+}
 
 void VtkWidget::paintGL() {
   Scene& s = *scene_;

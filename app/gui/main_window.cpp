@@ -62,7 +62,7 @@ void MainWindow::build() {
   middle_ = new QStackedWidget(splitter_);
   right_ = new QStackedWidget(splitter_);
   start_ = new StartPage(middle_);
-  views_ = new ViewArea(*document_, middle_);
+  views_ = new ViewArea(*document_, jobs_, middle_);
   middle_->addWidget(start_);
   middle_->addWidget(views_);
   auto* casePanel = new CasePanel(*document_, right_);

@@ -1,11 +1,22 @@
 #include "app/gui/view_area.h"
 
 #include <QGridLayout>
+#include <algorithm>
+#include <iterator>
 
 namespace glisson {
 
-ViewArea::ViewArea(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), grid_(new QGridLayout(this)), modelView_(new ModelView(this)) {
+namespace {
+
+bool needsMesh(const Structure& structure, const std::vector<std::shared_ptr<const DisplayMesh>>& ready) {
+  return structure.reconstruction && !structure.reconstruction->mesh.empty() &&
+         std::ranges::none_of(ready, [&](const auto& mesh) { return &sourceOf(*mesh) == structure.reconstruction.get(); });
+}
+
+}  // namespace
+
+ViewArea::ViewArea(Document& document, JobRunner& jobs, QWidget* parent)
+    : QWidget(parent), document_(document), jobs_(jobs), grid_(new QGridLayout(this)), modelView_(new ModelView(this)) {
   setObjectName("viewArea");
   setStyleSheet("#viewArea { background: #202020; }");
   grid_->setContentsMargins(0, 0, 0, 0);
@@ -33,6 +44,14 @@ ViewArea::ViewArea(Document& document, QWidget* parent)
     });
     connect(slice, &SliceView::maximiseRequested, this, [this, slice] { toggleMaximised(slice); });
   }
+  connect(&jobs_, &JobRunner::jobEnded, this, [this](JobId id, JobState state) {
+    if (id == preparing_) {
+      preparing_ = 0;
+      if (state != JobState::Failed) {  // also after "Cancel all": what is built is shown
+        showModel();
+      }
+    }
+  });
   connect(modelView_, &ModelView::maximiseRequested, this, [this] { toggleMaximised(modelView_); });
   connect(modelView_, &ModelView::planeDragStarted, &document_, &Document::beginDrag);
   connect(modelView_, &ModelView::planeDragged, &document_, &Document::dragTo);
@@ -58,7 +77,7 @@ void ViewArea::setCrosshair(const Vec3& worldMm) {
 void ViewArea::showVolumes() {
   const Case& content = document_.content();
   for (SliceView* slice : slices_) {
-    slice->setVolumes(content.ct, content.segmentation);
+    slice->setVolumes(content.ct, content.segmentation, content.liver);
   }
   showModel();
   if (content.liver && !content.liver->liver.empty()) {
@@ -70,10 +89,49 @@ void ViewArea::showVolumes() {
 
 void ViewArea::showModel() {
   const std::shared_ptr<const LiverModel>& model = document_.content().model;
-  modelView_->setModel(model);
   for (SliceView* slice : slices_) {
     slice->setModel(model);
   }
+  std::erase_if(ready_, [&](const auto& mesh) {
+    return !model || std::ranges::none_of(model->structures, [&](const Structure& structure) {
+      return structure.reconstruction.get() == &sourceOf(*mesh);
+    });
+  });
+  if (!model) {
+    modelView_->setModel(nullptr);
+    return;
+  }
+  // surfaces that are not ready yet appear as soon as they are: making them ready is no work for the UI thread
+  auto shown = std::make_shared<LiverModel>(*model);
+  for (Structure& structure : shown->structures) {
+    if (needsMesh(structure, ready_)) {
+      structure.reconstruction.reset();
+    }
+  }
+  modelView_->setModel(std::move(shown), ready_);
+  prepareMeshes();
+}
+
+void ViewArea::prepareMeshes() {
+  std::vector<std::shared_ptr<const Reconstruction>> wanted;
+  for (const Structure& structure : document_.content().model->structures) {
+    if (needsMesh(structure, ready_)) {
+      wanted.push_back(structure.reconstruction);
+    }
+  }
+  if (preparing_ != 0 || wanted.empty()) {
+    return;
+  }
+  JobRequest request{.quiet = true};
+  using Meshes = std::vector<std::shared_ptr<const DisplayMesh>>;
+  preparing_ = submitFor<Meshes>(
+      jobs_, std::move(request),
+      [wanted](const ExecutionContext&) {
+        Meshes made;
+        std::ranges::transform(wanted, std::back_inserter(made), makeDisplayMesh);
+        return made;
+      },
+      [this](const Meshes& made) { ready_.insert(ready_.end(), made.begin(), made.end()); });
 }
 
 void ViewArea::showPlane() {

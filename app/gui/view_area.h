@@ -15,7 +15,7 @@ namespace glisson {
 class ViewArea : public QWidget {
   Q_OBJECT
  public:
-  explicit ViewArea(Document& document, QWidget* parent = nullptr);
+  ViewArea(Document& document, JobRunner& jobs, QWidget* parent = nullptr);
 
   [[nodiscard]] ModelView& modelView() { return *modelView_; }
   void setWindowLevel(const WindowLevel& windowLevel);
@@ -31,7 +31,13 @@ class ViewArea : public QWidget {
   void showPlane();
   void toggleMaximised(QWidget* view);
 
+  void prepareMeshes();
+
   Document& document_;
+  JobRunner& jobs_;
+  /// What the 3D view needs of the surfaces of the model, as far as it is made.
+  std::vector<std::shared_ptr<const DisplayMesh>> ready_;
+  JobId preparing_ = 0;  ///< the job that makes more of it; 0: none
   QGridLayout* grid_;
   ModelView* modelView_;
   std::array<SliceView*, 3> slices_{};

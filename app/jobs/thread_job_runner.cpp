@@ -2,11 +2,15 @@
 
 #include <sys/resource.h>
 
+#include <QTimer>
+
 namespace glisson {
 
 namespace {
 
-constexpr int kBackgroundNiceness = 5;
+/// A tenth of the share of a thread of the window, where both want the processor.
+constexpr int kBackgroundNiceness = 10;
+constexpr int kReapMs = 1000;
 
 }  // namespace
 
@@ -29,12 +33,8 @@ void ThreadJobRunner::launch(JobId id, std::function<void()> work) {
   connect(
       thread.get(), &QThread::finished, this,
       [this, id] {
-        const auto found = threads_.find(id);
-        if (found != threads_.end()) {
-          found->second->wait();
-          found->second.release()->deleteLater();  // we are inside a slot of its own signal
-          threads_.erase(found);
-        }
+        // its work is over, but the thread itself may still wait for a processor to end on: nobody waits for it here
+        QTimer::singleShot(kReapMs, this, [this, id] { threads_.erase(id); });
         workEnded(id);
       },
       Qt::QueuedConnection);

@@ -111,6 +111,20 @@ TEST(PlaneHandlesTest, EachHandleIsFoundAtItsOwnPixelAndNothingElsewhere) {
   EXPECT_EQ(handleAt(layout, camera, Pixel(20, 20)), std::nullopt);
 }
 
+TEST(PlaneHandlesTest, TheWordAtTheArrowStaysInsideTheView) {
+  const ViewCamera camera = anteriorCamera();
+  for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(0, 1, 0)}) {
+    for (const double at : {0.0, 100.0, 150.0}) {
+      const HalfSpace plane{at * normal, normal};
+      const Pixel word = camera.toPixel(layoutHandles(plane, plane.origin, {}, camera).label);
+      EXPECT_GE(word.x(), kLabelHalfWidth - 1e-6);
+      EXPECT_LE(word.x(), camera.width - kLabelHalfWidth + 1e-6);
+      EXPECT_GE(word.y(), kLabelHalfHeight - 1e-6);
+      EXPECT_LE(word.y(), camera.height - kLabelHalfHeight + 1e-6);
+    }
+  }
+}
+
 TEST(PlaneHandlesTest, ADragBackToItsStartGivesTheSamePlane) {
   const ViewCamera camera = anteriorCamera();
   const HalfSpace plane{Vec3(5, 3, 2), Vec3(1, -1, 0.4).normalized()};

@@ -251,6 +251,58 @@ TEST(SliceViewTest, OutlinesHaveTheStructuresColourAndFollowItsVisibility) {
   }
 }
 
+TEST(SliceViewTest, TheParenchymasOutlineIsThatOfTheVoxelsThatAreCounted) {
+  const ImageGeometry geometry = geometryOf(Mat3::Identity());
+  const Labelled labelled = ballIn(geometry);
+  labelled.model->structures[0].kind = StructureKind::Liver;
+  auto liver = std::make_shared<LiverVoxels>();
+  liver->geometry = geometry;
+  SliceView view(SliceAxis::Axial);
+  view.resize(400, 400);
+  view.setModel(labelled.model);
+  const QColor magenta(255, 0, 255);
+  const Vec3 outside = kCentre + 18 * Vec3::UnitZ();  // above the mask as it was read
+  view.setVolumes(nullptr, labelled.segmentation);
+  view.setCrosshair(outside);
+  EXPECT_EQ(countColour(grabbed(view, "outline_mask"), magenta), 0);
+  liver->liver = Mask::fromGrid(geometry.size, std::vector<std::uint8_t>(geometry.voxelCount(), 1));
+  view.setVolumes(nullptr, labelled.segmentation, liver);
+  view.setCrosshair(outside);
+  EXPECT_GT(countColour(grabbed(view, "outline_counted"), magenta), 50);
+}
+
+TEST(SliceViewTest, ASurfaceThatWasMadeChangesNoSliceAndAColourDoes) {
+  const Labelled labelled = ballIn(geometryOf(Mat3::Identity()));
+  SliceView view(SliceAxis::Axial);
+  view.resize(400, 400);
+  view.setVolumes(nullptr, labelled.segmentation);
+  view.setModel(labelled.model);
+  view.setCrosshair(kCentre);
+  const QImage before = grabbed(view, "looks_before");
+  auto made = std::make_shared<LiverModel>(*labelled.model);
+  made->structures[0].reconstruction = std::make_shared<const Reconstruction>();
+  view.setModel(made);
+  EXPECT_EQ(grabbed(view, "looks_made"), before);
+  auto coloured = std::make_shared<LiverModel>(*made);
+  coloured->structures[0].colour = {0, 255, 255};
+  view.setModel(coloured);
+  EXPECT_GT(countColour(grabbed(view, "looks_coloured"), QColor(0, 255, 255)), 50);
+}
+
+TEST(SliceLettersTest, NoLetterLiesOnATextInTheSmallestView) {
+  const QSizeF letter(14, 20);
+  for (const QSize& view : {QSize(120, 90), QSize(200, 140), QSize(240, 300), QSize(900, 700)}) {
+    const std::vector<QRectF> texts{QRectF(8, 8, 62, 16), QRectF(8, view.height() - 40, 104, 32),
+                                    QRectF(view.width() - 50, view.height() - 40, 42, 32)};
+    for (const QRectF& box : letterBoxes(view, letter, texts)) {
+      EXPECT_TRUE(QRectF(QPointF(0, 0), QSizeF(view)).contains(box)) << view.width();
+      for (const QRectF& text : texts) {
+        EXPECT_FALSE(box.intersects(text)) << view.width() << ' ' << box.x() << ' ' << box.y();
+      }
+    }
+  }
+}
+
 TEST(SliceOutlineTest, TheOutlineOfABlockEnclosesItsVoxelsAtHalfAVoxel) {
   ImageGeometry grid;
   grid.size = {10, 10, 3};
