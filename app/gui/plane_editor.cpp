@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <span>
 
@@ -131,12 +132,6 @@ void PlaneEditor::retranslateUi() {
   tiltLabel_->setText(tr("Tilt"));
   moveStep_->setSuffix(QStringLiteral(" mm"));
   tiltStep_->setSuffix(QStringLiteral("\u00B0"));
-  move_[0]->setToolTip(tr("Move towards the remnant"));
-  move_[1]->setToolTip(tr("Move towards the resected side"));
-  tilt_[0]->setToolTip(tr("Turn left as seen in the 3D view"));
-  tilt_[1]->setToolTip(tr("Turn right as seen in the 3D view"));
-  tilt_[2]->setToolTip(tr("Turn up as seen in the 3D view"));
-  tilt_[3]->setToolTip(tr("Turn down as seen in the 3D view"));
   for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
     field->setLocale(QLocale());
   }
@@ -208,14 +203,17 @@ void PlaneEditor::commitFields() {
 
 void PlaneEditor::updateEnabled() {
   const QString reason = plane_ ? QString() : tr("Place a plane first.");
+  const std::map<const QWidget*, QString> tips{
+      {move_[0], tr("Move towards the remnant")},         {move_[1], tr("Move towards the resected side")},
+      {tilt_[0], tr("Turn left as seen in the 3D view")}, {tilt_[1], tr("Turn right as seen in the 3D view")},
+      {tilt_[2], tr("Turn up as seen in the 3D view")},   {tilt_[3], tr("Turn down as seen in the 3D view")}};
   for (QWidget* control : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
     if (control == place_ || qobject_cast<QLabel*>(control) != nullptr) {
       continue;
     }
     control->setEnabled(plane_.has_value());
-    if (qobject_cast<QToolButton*>(control) == nullptr) {
-      control->setToolTip(reason);
-    }
+    const auto tip = tips.find(control);
+    control->setToolTip(plane_ && tip != tips.end() ? tip->second : reason);
   }
 }
 
