@@ -69,18 +69,12 @@ void simplifyMesh(Reconstruction& made, const ExecutionContext& context) {
 
 std::string describeMethod(const ReconstructionParameters& p) {
   if (p.method == Method::Psr) {
-    std::string text = "PSR d=" + std::to_string(p.psr.depth) + (p.psr.sampling == Sampling::Paper ? " paper" : " unbiased");
-    if (p.psr.pointWeight > 0) {
-      text += " screened " + formatExact(p.psr.pointWeight);
-    }
-    return text;
+    const std::string text = "PSR d=" + std::to_string(p.psr.depth) + (p.psr.sampling == Sampling::Paper ? " paper" : " unbiased");
+    return p.psr.pointWeight > 0 ? text + " screened " + formatExact(p.psr.pointWeight) : text;
   }
-  std::string text = "MCSD";
-  text += p.mcsd.smoothing == 0 ? " unsmoothed" : p.mcsd.filter == SmoothingFilter::Sinc ? " sinc " : " Laplacian ";
-  if (p.mcsd.smoothing > 0) {
-    text += std::to_string(p.mcsd.smoothing);
-  }
-  text += " decimation " + formatExact(std::round(1000.0 * p.mcsd.decimation) / 10.0) + " %";
+  const std::string filter = p.mcsd.filter == SmoothingFilter::Sinc ? "sinc " : "Laplacian ";
+  const std::string smoothed = p.mcsd.smoothing == 0 ? "unsmoothed" : filter + std::to_string(p.mcsd.smoothing);
+  std::string text = "MCSD " + smoothed + " decimation " + formatExact(std::round(1000.0 * p.mcsd.decimation) / 10.0) + " %";
   if (p.mcsd.order == McsdOrder::SmoothFirst) {
     text += " smooth-first";
   }

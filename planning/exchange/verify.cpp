@@ -71,9 +71,7 @@ void checkGlb(const std::filesystem::path& folder, const Manifest& manifest, std
     const auto node = std::find_if(content.nodes.begin(), content.nodes.end(), [&](const GlbNode& n) { return n.id == mesh.id; });
     const std::string problem = node == content.nodes.end() ? "is missing" : differenceFrom(mesh.figures, node->mesh);
     if (!problem.empty()) {
-      std::string sentence = "\"" + mesh.id + "\" in model.glb ";
-      sentence.append(problem).append(kAgain);
-      problems.push_back(std::move(sentence));
+      problems.push_back("\"" + mesh.id + "\" in model.glb " + problem + kAgain);
     }
   }
   if (content.nodes.size() > manifest.meshes.size()) {

@@ -186,11 +186,13 @@ class Notes {
  public:
   Notes(const ImageGeometry& geometry, std::vector<std::string>& notes)
       : voxelMl_(geometry.voxelVolumeMm3() * kMlPerMm3), notes_(notes) {}
-  void add(std::size_t voxels, const std::string& before, const std::string& after) {
+  /// The sentence is kept where there are such voxels.
+  void add(std::size_t voxels, const std::string& sentence) {
     if (voxels > 0) {
-      notes_.push_back(before + formatNumber(static_cast<double>(voxels) * voxelMl_, 3) + " mL" + after);
+      notes_.push_back(sentence);
     }
   }
+  [[nodiscard]] std::string ml(std::size_t voxels) const { return formatNumber(static_cast<double>(voxels) * voxelMl_, 3); }
 
  private:
   double voxelMl_;
@@ -208,14 +210,16 @@ void noteLesions(FlagGrid& grid, const std::vector<const LabelledMask*>& lesions
       outside += (grid[at] & (kAttached | kLiver)) == kAttached ? 1 : 0;
       inVessels += (grid[at] & kTube) != 0 ? 1 : 0;
     });
-    notes.add(outside, lesion->name + ": ", " lie outside the liver mask and are counted as liver.");
-    notes.add(lesion->mask->count() - attached, lesion->name + ": ", " do not touch the liver and are not counted in it.");
-    notes.add(tubes.empty() ? 0 : inVessels, lesion->name + " and the vessels overlap by ", "; counted as lesion.");
+    const std::size_t apart = lesion->mask->count() - attached;
+    inVessels = tubes.empty() ? 0 : inVessels;
+    notes.add(outside, lesion->name + ": " + notes.ml(outside) + " mL lie outside the liver mask and are counted as liver.");
+    notes.add(apart, lesion->name + ": " + notes.ml(apart) + " mL do not touch the liver and are not counted in it.");
+    notes.add(inVessels, lesion->name + " and the vessels overlap by " + notes.ml(inVessels) + " mL; counted as lesion.");
   }
   for (std::size_t a = 0; a < lesions.size(); ++a) {
     for (std::size_t b = a + 1; b < lesions.size(); ++b) {
-      notes.add(sharedVoxels(*lesions[a]->mask, *lesions[b]->mask), lesions[a]->name + " and " + lesions[b]->name + " overlap by ",
-                "; counted once.");
+      const std::size_t shared = sharedVoxels(*lesions[a]->mask, *lesions[b]->mask);
+      notes.add(shared, lesions[a]->name + " and " + lesions[b]->name + " overlap by " + notes.ml(shared) + " mL; counted once.");
     }
   }
 }
@@ -263,9 +267,9 @@ LiverVoxels liverVoxels(const Segmentation& segmentation) {
     dropped += was && !enclosed ? 1 : 0;
     flags = static_cast<std::uint8_t>(enclosed ? flags | kLiver : flags & ~kLiver);
   }
-  notes.add(added, "Vessels: ", " enclosed by the liver but outside its mask are counted as liver.");
-  notes.add(dropped,
-            "Vessels: ", " of the liver mask are vessel not enclosed by liver, where trunks leave it, and are not counted.");
+  notes.add(added, "Vessels: " + notes.ml(added) + " mL enclosed by the liver but outside its mask are counted as liver.");
+  notes.add(dropped, "Vessels: " + notes.ml(dropped) +
+                         " mL of the liver mask are vessel not enclosed by liver, where trunks leave it, and are not counted.");
 
   result.liver = grid.select([](std::uint8_t f) { return (f & (kLiver | kAttached)) != 0; });
   result.functional = grid.select([](std::uint8_t f) { return (f & kLiver) != 0 && (f & kLesion) == 0; });

@@ -17,10 +17,11 @@ void requireSamePatient(const Segmentation& segmentation, const CtVolume& ct, co
   const bool otherId = differ(segmentation.patientId, ct.identity.patientId);
   const bool otherFrame = differ(segmentation.frameOfReferenceUid, ct.identity.frameOfReferenceUid);
   if (otherId || otherFrame) {  // which id, never its value: a message may be copied anywhere
+    const std::string ids = otherId && otherFrame ? "PatientID and FrameOfReferenceUID"
+                            : otherId             ? "PatientID"
+                                                  : "FrameOfReferenceUID";
     throw InputError(segmentation.source + " belongs to another " + (otherId ? "patient" : "frame of reference") + " than the CT " +
-                     ct.source + " (their " + (otherId ? "PatientID" : "") + (otherId && otherFrame ? " and " : "") +
-                     (otherFrame ? "FrameOfReferenceUID" : "") +
-                     " differ); choose the right files, or accept it with --accept other-patient.");
+                     ct.source + " (their " + ids + " differ); choose the right files, or accept it with --accept other-patient.");
   }
 }
 

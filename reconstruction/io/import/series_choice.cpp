@@ -128,15 +128,13 @@ void requireWholeSeries(const Group& series, const Group& group) {
 
 std::string describe(const Group& group) {
   const DicomSlice& first = group.front();
-  std::string text = std::to_string(group.size()) + (group.size() == 1 ? " image" : " images");
-  if (first.localizer) {
-    text += " (localizer)";
-  } else if (!first.identity.seriesDescription.empty()) {
-    text += " of the series \"" + first.identity.seriesDescription + "\"";
-  } else if (!first.seriesUid.empty()) {
-    text += " of the series " + first.seriesUid;
-  }
-  return text + ", such as " + first.path.filename().string();
+  const std::string& called = first.identity.seriesDescription;
+  const std::string which = first.localizer            ? " (localizer)"
+                            : !called.empty()          ? " of the series \"" + called + "\""
+                            : !first.seriesUid.empty() ? " of the series " + first.seriesUid
+                                                       : "";
+  return std::to_string(group.size()) + (group.size() == 1 ? " image" : " images") + which + ", such as " +
+         first.path.filename().string();
 }
 
 /// Neither the larger of two volumes nor one of two patients is chosen silently.
