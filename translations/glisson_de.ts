@@ -612,6 +612,14 @@
         <translation>%1 ist mit der Kodierung „%2“ gespeichert; speichern Sie mit raw oder gzip.</translation>
     </message>
     <message>
+        <source>%1 has a rescale slope of %2 where its series has %3, so its Hounsfield units would be wrong; copy or export the series again.</source>
+        <translation>%1 hat die Steigung %2, seine Serie aber %3, sodass die Hounsfield-Einheiten falsch wären; kopieren oder exportieren Sie die Serie erneut.</translation>
+    </message>
+    <message>
+        <source>The slices have rescale slopes of their own, from %1 to %2.</source>
+        <translation>Die Schichten haben eigene Steigungen zum Umrechnen, von %1 bis %2.</translation>
+    </message>
+    <message>
         <source>does not say to which series it belongs</source>
         <translation>sagt nicht, zu welcher Serie es gehört</translation>
     </message>
@@ -1896,16 +1904,24 @@
         <translation>%1 hat eine Ebene, die nicht endlich ist; setzen Sie sie neu.</translation>
     </message>
     <message>
-        <source>%1 and %2 both hold a case; open one of them at a time.</source>
-        <translation>%1 und %2 enthalten beide einen Fall; öffnen Sie nur eines davon.</translation>
+        <source>&quot;manifest.json&quot; has been changed since the export: export the plan again.</source>
+        <translation>„manifest.json“ wurde seit dem Export geändert: Exportieren Sie den Plan erneut.</translation>
     </message>
     <message>
-        <source>%1 and %2 both hold a CT; open one of them at a time.</source>
-        <translation>%1 und %2 enthalten beide eine CT; öffnen Sie nur eine davon.</translation>
+        <source>%1 and %2 both hold %3; open one of them at a time.</source>
+        <translation>%1 und %2 enthalten beide %3; öffnen Sie nur eines davon.</translation>
     </message>
     <message>
-        <source>%1 and %2 both hold a segmentation; open one of them at a time.</source>
-        <translation>%1 und %2 enthalten beide eine Segmentierung; öffnen Sie nur eine davon.</translation>
+        <source>a case</source>
+        <translation>einen Fall</translation>
+    </message>
+    <message>
+        <source>a CT</source>
+        <translation>eine CT</translation>
+    </message>
+    <message>
+        <source>a segmentation</source>
+        <translation>eine Segmentierung</translation>
     </message>
     <message>
         <source>The CT at %1 is not the one this case was made from (its files have changed): its slices are not shown.</source>
@@ -2102,10 +2118,6 @@
         <translation>Dateien werden gelesen</translation>
     </message>
     <message>
-        <source>%1 has the label %2 of unknown kind; name it with --labels.</source>
-        <translation>%1 hat das Label %2 unbekannter Art; benennen Sie es mit --labels.</translation>
-    </message>
-    <message>
         <source>A question before reading</source>
         <translation>Eine Frage vor dem Lesen</translation>
     </message>
@@ -2200,10 +2212,6 @@
         <translation>Deckkraft ändern</translation>
     </message>
     <message>
-        <source>The CT at %1 does not lie on the grid of the labels and is not shown.</source>
-        <translation>Die CT unter %1 liegt nicht auf dem Gitter der Labels und wird nicht gezeigt.</translation>
-    </message>
-    <message>
         <source>Volumes</source>
         <translation>Volumina</translation>
     </message>
@@ -2237,18 +2245,6 @@
     <message>
         <source>Otherwise nothing in the package names the patient.</source>
         <translation>Sonst nennt nichts im Paket den Patienten.</translation>
-    </message>
-    <message>
-        <source>Open a case first.</source>
-        <translation>Öffnen Sie zuerst einen Fall.</translation>
-    </message>
-    <message>
-        <source>%1 has no surface yet.</source>
-        <translation>%1 hat noch keine Oberfläche.</translation>
-    </message>
-    <message>
-        <source>Choose a format.</source>
-        <translation>Wählen Sie ein Format.</translation>
     </message>
     <message>
         <source>Writes the navigation package (Ctrl+E)</source>
@@ -2328,17 +2324,6 @@
     <message>
         <source>%1 waiting</source>
         <translation>%1 warten</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::JobRunner</name>
-    <message>
-        <source>The work ended with an unknown error.</source>
-        <translation>Die Arbeit endete mit einem unbekannten Fehler.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this; close other programs and try again.</source>
-        <translation>Dafür reicht der Speicher nicht; schließen Sie andere Programme und versuchen Sie es erneut.</translation>
     </message>
 </context>
 <context>
@@ -2570,14 +2555,6 @@
         <translation>Exportiert und geprüft: %1</translation>
     </message>
     <message>
-        <source>The normal (0, 0, 0) has no direction; enter at least one component.</source>
-        <translation>Die Normale (0, 0, 0) hat keine Richtung; geben Sie mindestens eine Komponente ein.</translation>
-    </message>
-    <message>
-        <source>%1 is open in another program: it can be looked at, and changes are kept only with Save as.</source>
-        <translation>%1 ist in einem anderen Programm geöffnet: Ansehen geht, Änderungen bleiben nur mit Speichern unter erhalten.</translation>
-    </message>
-    <message>
         <source>Reading the CT</source>
         <translation>CT wird gelesen</translation>
     </message>
@@ -2600,10 +2577,6 @@
     <message>
         <source>no plane yet</source>
         <translation>noch keine Ebene</translation>
-    </message>
-    <message>
-        <source>The plane can be placed as soon as the liver&apos;s volumes are computed.</source>
-        <translation>Die Ebene lässt sich setzen, sobald die Volumina der Leber berechnet sind.</translation>
     </message>
     <message>
         <source>Open a CT with its segmentation, or a case</source>
@@ -2655,13 +2628,6 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Read</source>
         <translation>Gelesen</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ModelBuilder</name>
-    <message>
-        <source>%1 could not be reconstructed: %2</source>
-        <translation>%1 ließ sich nicht rekonstruieren: %2</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <QPushButton>
 
 #include "app/gui/label_dialog.h"
+#include "app/gui/sentences.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
@@ -74,7 +75,7 @@ void CaseOpener::handle(const OpenRequest& request, OpenedCase result) {
     return;
   }
   if (unattended_) {
-    emit refused(tr("%1 has the label %2 of unknown kind; name it with --labels.")
+    emit refused(QStringLiteral("%1 has the label %2 of unknown kind; name it with --labels.")
                      .arg(QString::fromStdString(request.readSoFar->segmentation->source),
                           QString::fromStdString(result.unknown.front().name)));
     return;
@@ -110,7 +111,7 @@ void CaseOpener::askConsent(const OpenRequest& request, Consent consent, const Q
   auto* box = new QMessageBox(QMessageBox::Warning, tr("A question before reading"), consequenceOf(consent), QMessageBox::NoButton,
                               dialogParent_);
   box->setObjectName("consentDialog");
-  box->setInformativeText(refusal);
+  box->setInformativeText(shownSentence(refusal));
   box->setAttribute(Qt::WA_DeleteOnClose);
   QPushButton* accept = box->addButton(tr("Read it all the same"), QMessageBox::AcceptRole);
   accept->setObjectName("consentAccept");
@@ -130,7 +131,7 @@ void CaseOpener::askFrame(const OpenRequest& request, const QString& refusal) {
                          "the liver. Choose the one your other programs use."),
                       QMessageBox::NoButton, dialogParent_);
   box->setObjectName("frameDialog");
-  box->setInformativeText(refusal);
+  box->setInformativeText(shownSentence(refusal));
   box->setAttribute(Qt::WA_DeleteOnClose);
   for (const auto& [text, frame] : {std::pair(tr("Use sform"), NiftiFrame::SForm), std::pair(tr("Use qform"), NiftiFrame::QForm)}) {
     connect(box->addButton(text, QMessageBox::AcceptRole), &QPushButton::clicked, this, [this, request, choice = frame] {

@@ -25,7 +25,7 @@ class CaseOpener : public QObject {
  signals:
   /// `content` is never empty; `file` is null but for a .glisson file.
   void opened(const glisson::Case& content, std::shared_ptr<glisson::CaseFile> file, const QStringList& paths);
-  void refused(const QString& message);
+  void refused(const QString& sentence);  ///< in English
 
  private:
   void start(const OpenRequest& request);

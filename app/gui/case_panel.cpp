@@ -10,6 +10,7 @@
 #include "app/gui/label_dialog.h"
 #include "app/gui/model_builder.h"
 #include "app/gui/number_text.h"
+#include "app/gui/sentences.h"
 
 namespace glisson {
 
@@ -63,8 +64,8 @@ void CasePanel::refresh() {
   QStringList lines;
   if (content.segmentation) {
     const ImageGeometry& grid = content.segmentation->geometry;
-    lines << (content.ct ? tr("CT: %1").arg(QString::fromStdString(content.ct->source)) : tr("No CT is shown."));
-    lines << tr("Labels: %1").arg(QString::fromStdString(content.segmentation->source));
+    lines << (content.ct ? tr("CT: %1").arg(shownSentence(content.ct->source)) : tr("No CT is shown."));
+    lines << tr("Labels: %1").arg(shownSentence(content.segmentation->source));
     lines << tr("Grid: %1 x %2 x %3 voxels of %4 x %5 x %6 mm")
                  .arg(QString::number(grid.size[0]), QString::number(grid.size[1]), QString::number(grid.size[2]),
                       numberText(grid.spacing[0], 2), numberText(grid.spacing[1], 2), numberText(grid.spacing[2], 2));
@@ -75,8 +76,7 @@ void CasePanel::refresh() {
   labels_->clear();
   if (content.segmentation) {
     for (const LabelledMask& mask : content.segmentation->structures) {
-      auto* row =
-          new QTreeWidgetItem(labels_, {QString::fromStdString(mask.name), kindName(mask.kind.value_or(StructureKind::Other))});
+      auto* row = new QTreeWidgetItem(labels_, {shownName(mask.name), kindName(mask.kind.value_or(StructureKind::Other))});
       row->setToolTip(0, row->text(0));
       row->setToolTip(1, row->text(1));
     }
@@ -89,7 +89,7 @@ void CasePanel::refreshNotes() {
   notes_->clear();
   const Case& content = document_.content();
   for (const std::string& note : content.notes) {
-    notes_->addItem(QString::fromStdString(note));
+    notes_->addItem(shownSentence(note));
   }
   if (content.model) {
     for (const Structure& structure : content.model->structures) {
@@ -97,12 +97,11 @@ void CasePanel::refreshNotes() {
         continue;
       }
       for (const std::string& deviation : structure.reconstruction->deviations) {
-        auto* item =
-            new QListWidgetItem(tr("%1 deviates: %2").arg(structureName(structure), QString::fromStdString(deviation)), notes_);
+        auto* item = new QListWidgetItem(tr("%1 deviates: %2").arg(structureName(structure), shownSentence(deviation)), notes_);
         item->setIcon(style()->standardIcon(QStyle::SP_MessageBoxWarning));
       }
       for (const std::string& note : structure.reconstruction->notes) {
-        notes_->addItem(structureName(structure) + QStringLiteral(": ") + QString::fromStdString(note));
+        notes_->addItem(structureName(structure) + QStringLiteral(": ") + shownSentence(note));
       }
     }
   }

@@ -216,15 +216,16 @@ void Document::replaceModel(std::shared_ptr<const LiverModel> model) {
 
 void Document::setCt(std::shared_ptr<const CtVolume> ct) {
   if (ct && case_.segmentation && ct->geometry.cornerDistance(case_.segmentation->geometry) > kSameGridMm) {
-    addNote(tr("The CT at %1 does not lie on the grid of the labels and is not shown.").arg(QString::fromStdString(ct->source)));
+    addNote(QStringLiteral("The CT at %1 does not lie on the grid of the labels and is not shown.")
+                .arg(QString::fromStdString(ct->source)));
     return;
   }
   case_.ct = std::move(ct);
   emit ctChanged();
 }
 
-void Document::addNote(const QString& note) {
-  case_.notes.push_back(note.toStdString());
+void Document::addNote(const QString& sentence) {
+  case_.notes.push_back(sentence.toStdString());
   emit notesChanged();
 }
 

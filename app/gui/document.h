@@ -71,7 +71,8 @@ class Document : public QObject {
   void setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction);
   /// The CT of a case that was opened from its file. Ignored where its grid is not the labels'.
   void setCt(std::shared_ptr<const CtVolume> ct);
-  void addNote(const QString& note);
+  /// An English sentence, as the libraries' notes beside it.
+  void addNote(const QString& sentence);
 
   /// A case in the recovery folder has no name yet: use saveAs().
   void save();
@@ -88,7 +89,7 @@ class Document : public QObject {
   void assessmentChanged();  ///< new numbers, or old ones out of date
   void cleanChanged();
   void saved(const QString& path);
-  void storeFailed(const QString& message);
+  void storeFailed(const QString& sentence);  ///< in English
 
  private:
   friend class PlansCommand;

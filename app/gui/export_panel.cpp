@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/model_builder.h"
+#include "app/gui/sentences.h"
 #include "planning/exchange/package.h"
 
 namespace glisson {
@@ -74,7 +75,7 @@ QStringList ExportPanel::deviations() const {
     for (const Structure& structure : document_.content().model->structures) {
       if (structure.reconstruction) {
         for (const std::string& deviation : structure.reconstruction->deviations) {
-          texts << structureName(structure) + QStringLiteral(": ") + QString::fromStdString(deviation);
+          texts << structureName(structure) + QStringLiteral(": ") + shownSentence(deviation);
         }
       }
     }
@@ -84,15 +85,16 @@ QStringList ExportPanel::deviations() const {
 
 QString ExportPanel::refusal() const {
   if (!document_.isOpen()) {
-    return tr("Open a case first.");
+    return QStringLiteral("Open a case first.");
   }
   for (const Structure& structure : document_.content().model->structures) {
     if (isModelled(structure) && !structure.reconstruction) {
-      return tr("%1 has no surface yet.").arg(structureName(structure));
+      return QStringLiteral("%1 has no surface yet.")
+          .arg(QString::fromStdString(structure.name.empty() ? structure.id : structure.name));
     }
   }
   if (!stl_->isChecked() && !glb_->isChecked()) {
-    return tr("Choose a format.");
+    return QStringLiteral("Choose a format.");
   }
   return {};
 }
@@ -100,7 +102,7 @@ QString ExportPanel::refusal() const {
 void ExportPanel::refresh() {
   const QString reason = refusal();
   export_->setEnabled(reason.isEmpty());
-  export_->setToolTip(reason.isEmpty() ? tr("Writes the navigation package (Ctrl+E)") : reason);
+  export_->setToolTip(reason.isEmpty() ? tr("Writes the navigation package (Ctrl+E)") : shownSentence(reason));
   const QStringList found = deviations();
   deviations_->setVisible(!found.isEmpty());
   deviations_->setText(tr("These structures deviate from their voxels; you will be asked before they are exported:") + '\n' +

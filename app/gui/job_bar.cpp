@@ -12,6 +12,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/sentences.h"
+
 namespace glisson {
 
 namespace {
@@ -68,7 +70,7 @@ JobBar::JobBar(JobRunner& jobs, QWidget* parent)
     if (row != rows_.constEnd()) {
       row->progress->setRange(0, 100);
       row->progress->setValue(qRound(fraction * 100));
-      row->progress->setToolTip(phase);
+      row->progress->setToolTip(shownSentence(phase));
     }
   });
   connect(&jobs_, &JobRunner::jobEnded, this, &JobBar::removeRow);

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "app/gui/number_text.h"
+#include "app/gui/sentences.h"
 #include "reconstruction/image/liver_voxels.h"
 
 namespace glisson {
@@ -54,7 +55,7 @@ LabelDialog::LabelDialog(const std::vector<LabelledMask>& unknown, const ImageGe
   grid->setColumnStretch(0, 1);
   int row = 0;
   for (const LabelledMask& label : unknown) {
-    grid->addWidget(new QLabel(QString::fromStdString(label.name), list), row, 0);
+    grid->addWidget(new QLabel(shownName(label.name), list), row, 0);
     const double ml = label.mask ? volumeMl(*label.mask, geometry) : 0.0;
     grid->addWidget(new QLabel(mlText(ml, 1), list), row, 1);
     auto* choice = new QComboBox(list);

@@ -126,7 +126,7 @@ void MainWindow::connectParts() {
   connect(&editor, &PlaneEditor::moveRequested, this, &MainWindow::movePlaneBy);
   connect(&editor, &PlaneEditor::tiltRequested, this, &MainWindow::tiltPlane);
   connect(&editor, &PlaneEditor::normalRefused, this,
-          [this] { complain(tr("The normal (0, 0, 0) has no direction; enter at least one component.")); });
+          [this] { complain(QStringLiteral("The normal (0, 0, 0) has no direction; enter at least one component.")); });
   connect(views_, &ViewArea::windowLevelChanged, this, [](const WindowLevel& windowLevel) {
     QSettings settings;
     settings.setValue("windowWidth", windowLevel.width);
@@ -142,7 +142,7 @@ void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& 
     remember(QString::fromStdString(file->path().string()));
   }
   if (document_->isReadOnly()) {
-    complain(tr("%1 is open in another program: it can be looked at, and changes are kept only with Save as.")
+    complain(QStringLiteral("%1 is open in another program: it can be looked at, and changes are kept only with Save as.")
                  .arg(QString::fromStdString(document_->path().string())));
   }
   if (!content.ct) {
@@ -212,7 +212,7 @@ void MainWindow::retranslateUi() {
 void MainWindow::placePlane() {
   const std::optional<Vec3> centre = document_->liverCentre();
   if (!document_->isOpen() || !centre) {
-    complain(tr("The plane can be placed as soon as the liver's volumes are computed."));
+    complain(QStringLiteral("The plane can be placed as soon as the liver's volumes are computed."));
     return;
   }
   try {

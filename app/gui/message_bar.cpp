@@ -5,6 +5,8 @@
 #include <QPushButton>
 #include <QStyle>
 
+#include "app/gui/sentences.h"
+
 namespace glisson {
 
 MessageBar::MessageBar(QWidget* parent) : Translated<QFrame>(parent), text_(new QLabel(this)), dismiss_(new QPushButton(this)) {
@@ -40,7 +42,7 @@ void MessageBar::retranslateUi() { refresh(); }
 
 void MessageBar::refresh() {
   setVisible(!messages_.isEmpty());
-  text_->setText(messages_.isEmpty() ? QString() : messages_.front());
+  text_->setText(messages_.isEmpty() ? QString() : shownSentence(messages_.front()));
   dismiss_->setText(messages_.size() > 1 ? tr("Read (%1 more)").arg(messages_.size() - 1) : tr("Read"));
 }
 

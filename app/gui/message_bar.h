@@ -15,7 +15,7 @@ class MessageBar : public Translated<QFrame> {
   Q_OBJECT
  public:
   explicit MessageBar(QWidget* parent = nullptr);
-  /// A message shown already is not shown twice.
+  /// An English sentence, shown in the language of the window. A message shown already is not shown twice.
   void add(const QString& message);
   [[nodiscard]] const QStringList& messages() const { return messages_; }
 

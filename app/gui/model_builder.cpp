@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/gui/label_dialog.h"
+#include "app/gui/sentences.h"
 
 namespace glisson {
 
@@ -26,9 +27,10 @@ int ModelBuilder::buildMissing() {
     }
     const QString name = structureName(structure);
     JobRequest request{.key = QString::fromStdString("build/" + structure.id), .title = name, .heavy = true};
-    request.fail = [this, name](const std::exception& error) {
-      emit structureFailed(tr("%1 could not be reconstructed: %2").arg(name, messageOf(error)));
-    };
+    request.fail =
+        [this, own = QString::fromStdString(structure.name.empty() ? structure.id : structure.name)](const std::exception& error) {
+          emit structureFailed(QStringLiteral("%1 could not be reconstructed: %2").arg(own, messageOf(error)));
+        };
     auto clock = std::make_shared<QElapsedTimer>();
     const JobId id = submitFor<Structure>(
         jobs_, std::move(request),
@@ -77,8 +79,7 @@ void ModelBuilder::ended(JobId id) {
 }
 
 QString structureName(const Structure& structure) {
-  const QString own = QString::fromStdString(structure.name);
-  return own.isEmpty() ? kindName(structure.kind) : own;
+  return structure.name.empty() ? kindName(structure.kind) : shownName(structure.name);
 }
 
 bool isModelled(const Structure& structure) { return structure.kind != StructureKind::Other; }

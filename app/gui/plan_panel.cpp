@@ -9,6 +9,7 @@
 #include "app/gui/big_number.h"
 #include "app/gui/number_text.h"
 #include "app/gui/plane_editor.h"
+#include "app/gui/sentences.h"
 
 namespace glisson {
 
@@ -132,7 +133,7 @@ void PlanPanel::refreshVolumes() {
   for (const Resection& resection : document_.plan().resections) {
     planes += static_cast<int>(resection.planes.size());
   }
-  QString warning = QString::fromStdString(now.warning);
+  QString warning = shownSentence(now.warning);
   if (planes > 1) {
     warning =
         tr("This plan has %1 planes: the numbers count all of them, the views show and move the first one only.").arg(planes) +
@@ -156,7 +157,7 @@ void PlanPanel::refreshMargin() {
     margin_->setNote(document_.isOpen() ? reason : QString());
     return;
   }
-  margin_->setCaption(tr("MARGIN %1, %2").arg(QString::fromStdString(tumour->name), stateText(tumour->state)));
+  margin_->setCaption(tr("MARGIN %1, %2").arg(shownName(tumour->name), stateText(tumour->state)));
   const double value = tumour->marginMm.value_or(tumour->distanceMm.value_or(0.0));
   margin_->setValue(mmText(value),
                     tumour->marginAtLeastMm ? QStringLiteral("\u2265\u00A0") + numberText(*tumour->marginAtLeastMm, 1) : QString());
@@ -177,11 +178,11 @@ void PlanPanel::refreshTables() {
   vessels_->clear();
   if (shown) {
     for (const TumourAssessment& tumour : now.tumours) {
-      auto* row = new QTreeWidgetItem(tumours_, {QString::fromStdString(tumour.name), stateText(tumour.state), marginText(tumour)});
+      auto* row = new QTreeWidgetItem(tumours_, {shownName(tumour.name), stateText(tumour.state), marginText(tumour)});
       row->setToolTip(2, marginText(tumour));
     }
     for (const VesselCrossing& vessel : now.vesselsCrossed) {
-      auto* row = new QTreeWidgetItem(vessels_, {QString::fromStdString(vessel.name), mmText(vessel.diameterMm)});
+      auto* row = new QTreeWidgetItem(vessels_, {shownName(vessel.name), mmText(vessel.diameterMm)});
       row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     }
   }

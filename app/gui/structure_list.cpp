@@ -15,6 +15,7 @@
 #include "app/gui/label_dialog.h"
 #include "app/gui/model_builder.h"
 #include "app/gui/number_text.h"
+#include "app/gui/sentences.h"
 
 namespace glisson {
 
@@ -198,18 +199,18 @@ QString structureReport(const Structure& structure) {
     return lines.join('\n');
   }
   const Reconstruction& made = *structure.reconstruction;
-  lines << QString::fromStdString(made.parameters.describe());
+  lines << shownSentence(made.parameters.describe());
   lines << StructureList::tr("Surface %1, voxels %2 (%3), %4 triangles")
                .arg(mlText(made.meshVolumeMl, 2), mlText(made.voxelVolumeMl, 2), percentText(made.volumeDeviation() * 100.0, 2),
                     numberText(static_cast<double>(made.mesh.triangles.size()), 0));
   for (const std::string& defect : made.defects.names()) {
-    lines << StructureList::tr("Defect: %1").arg(QString::fromStdString(defect));
+    lines << StructureList::tr("Defect: %1").arg(shownSentence(defect));
   }
   for (const std::string& deviation : made.deviations) {
-    lines << StructureList::tr("Deviation: %1").arg(QString::fromStdString(deviation));
+    lines << StructureList::tr("Deviation: %1").arg(shownSentence(deviation));
   }
   for (const std::string& note : made.notes) {
-    lines << StructureList::tr("Note: %1").arg(QString::fromStdString(note));
+    lines << StructureList::tr("Note: %1").arg(shownSentence(note));
   }
   return lines.join('\n');
 }

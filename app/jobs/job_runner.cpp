@@ -129,7 +129,7 @@ void JobRunner::conclude(JobId id, Entry& entry) {
     }
     emit jobEnded(id, JobState::Failed, messageOf(error));
   } catch (...) {  // the one boundary for what is no std::exception: the program lives
-    const std::runtime_error unknown(tr("The work ended with an unknown error.").toStdString());
+    const std::runtime_error unknown("The work ended with an unknown error.");
     entry.state = JobState::Failed;
     if (entry.request.fail) {
       entry.request.fail(unknown);
@@ -196,7 +196,7 @@ void JobRunner::tellIdle() {
 
 QString messageOf(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
-    return JobRunner::tr("There is not enough memory for this; close other programs and try again.");
+    return QStringLiteral("There is not enough memory for this; close other programs and try again.");
   }
   return QString::fromUtf8(error.what());
 }

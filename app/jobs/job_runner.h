@@ -83,7 +83,7 @@ JobId submitFor(JobRunner& runner, JobRequest request, std::function<Result(cons
   return runner.submit(std::move(request));
 }
 
-/// One sentence for the user: an Error's own, "not enough memory", or the foreign text.
+/// One English sentence, shown through shownSentence(): an Error's own, "not enough memory", or the foreign text.
 QString messageOf(const std::exception& error);
 
 }  // namespace glisson

@@ -1,0 +1,68 @@
+// What the window itself refuses or notes; names a structure may carry.
+
+#include <QtGlobal>
+#include <array>
+
+#include "app/gui/sentence_table.h"
+
+namespace glisson {
+
+namespace {
+
+constexpr auto kRows = std::to_array<SentenceRow>({
+    {"ffs", QT_TRANSLATE_NOOP("Sentence", "%1 and %2 both hold %3; open one of them at a time.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "a case")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "a CT")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "a segmentation")},
+    {"",
+     QT_TRANSLATE_NOOP("Sentence",
+                       "The CT at %1 is not the one this case was made from (its files have changed): its slices are not shown.")},
+    {"",
+     QT_TRANSLATE_NOOP(
+         "Sentence",
+         "%1 holds neither a CT, nor a segmentation, nor a case; choose a DICOM folder, NIfTI, NRRD, MetaImage or .glisson file.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "%1 holds a CT without a segmentation; open the CT and its segmentation together.")},
+    {"",
+     QT_TRANSLATE_NOOP("Sentence", "The selection holds a CT without a segmentation; open the CT and its segmentation together.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The CT of this case is no longer at %1; put it back to see the slices.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The CT at %1 does not lie on the grid of the labels and is not shown.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The liver's mask is empty; there is nothing to place a plane on.")},
+    {"fk", "%1 has the label %2 of unknown kind; name it with --labels.",
+     QT_TRANSLATE_NOOP("Sentence", "%1 has the label %2 of unknown kind; open it again and choose its kind.")},
+    {"ks", QT_TRANSLATE_NOOP("Sentence", "%1 could not be reconstructed: %2")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The normal (0, 0, 0) has no direction; enter at least one component.")},
+    {"",
+     QT_TRANSLATE_NOOP("Sentence", "%1 is open in another program: it can be looked at, and changes are kept only with Save as.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The plane can be placed as soon as the liver's volumes are computed.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "Open a case first.")},
+    {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has no surface yet.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "Choose a format.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The work ended with an unknown error.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "There is not enough memory for this; close other programs and try again.")},
+});
+
+constexpr auto kNames = std::to_array<SentenceRow>({
+    {"", QT_TRANSLATE_NOOP("Sentence", "liver")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "portal vein")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "hepatic vein")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "vena cava")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "artery")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "tumour")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "cyst")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "gallbladder")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "bile duct")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "tumour %1")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "cyst %1")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "label %1")},
+    {"kn", QT_TRANSLATE_NOOP("Sentence", "%1 of layer %2")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "Resection %1")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "Plan %1")},
+});
+
+}  // namespace
+
+std::span<const SentenceRow> windowSentences() { return kRows; }
+
+std::span<const SentenceRow> knownNames() { return kNames; }
+
+}  // namespace glisson
