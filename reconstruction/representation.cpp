@@ -46,8 +46,13 @@ std::string voxelList(std::vector<std::size_t> voxels) {
   return text + (voxels.size() == 1 && voxels[0] == 1 ? " voxel" : " voxels");
 }
 
-/// Pieces of the mesh that enclose volume; the walls of cavities enclose less than none.
-std::size_t outerPieces(const SurfaceMesh& mesh) {
+/// Pieces of the mesh that enclose volume, and walls of cavities, which enclose less than none.
+struct Walls {
+  std::size_t outer = 0;
+  std::size_t inner = 0;
+};
+
+Walls wallsOf(const SurfaceMesh& mesh) {
   UnionFind sets(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
     sets.unite(t[0], t[1]);
@@ -59,7 +64,8 @@ std::size_t outerPieces(const SurfaceMesh& mesh) {
     const auto at = [&](std::size_t n) -> Vec3 { return mesh.vertices[t[n]] - centre; };
     volume[sets.find(t[0])] += at(0).dot(at(1).cross(at(2)));
   }
-  return static_cast<std::size_t>(std::count_if(volume.begin(), volume.end(), [](double v) { return v > 0; }));
+  const auto count = [&](auto matches) { return static_cast<std::size_t>(std::count_if(volume.begin(), volume.end(), matches)); };
+  return {.outer = count([](double v) { return v > 0; }), .inner = count([](double v) { return v < 0; })};
 }
 
 /// V - E + F of a closed edge-manifold mesh, whose edges are three for two triangles.
@@ -103,7 +109,7 @@ void checkPieces(const Mask& mask, const Pieces& pieces, const InsideRows& rows,
   }
 }
 
-void checkCavities(const Mask& mask, const InsideRows& rows, Reconstruction& made) {
+void checkCavities(const Mask& mask, const InsideRows& rows, std::size_t innerWalls, Reconstruction& made) {
   const Pieces cavities = cavitiesOf(mask, Neighbours::Six);
   const auto inside = insideOf(cavities, rows);
   std::vector<std::size_t> lost;
@@ -115,6 +121,14 @@ void checkCavities(const Mask& mask, const InsideRows& rows, Reconstruction& mad
   if (!lost.empty()) {
     made.notes.push_back(counted(lost.size(), "cavity", "cavities") + " of " + std::to_string(cavities.count()) +
                          " not represented: " + voxelList(lost));
+  }
+  // What touches the outside by a corner is no cavity for certain.
+  if (innerWalls + lost.size() < cavities.count()) {
+    const std::size_t closed = cavitiesOf(mask, Neighbours::TwentySix).count();
+    if (innerWalls + lost.size() < closed) {
+      made.notes.push_back(counted(innerWalls, "cavity", "cavities") + " in the mesh, " + std::to_string(closed) +
+                           " in the mask: thin walls are open");
+    }
   }
 }
 
@@ -207,11 +221,12 @@ void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, Structure
     made.meshComponents = count;
   } else {
     made.meshVolumeMl = signedVolumeMm3(made.mesh) * kMlPerMm3;
-    made.meshComponents = outerPieces(made.mesh);
+    const Walls walls = wallsOf(made.mesh);
+    made.meshComponents = walls.outer;
     context.throwIfCancelled();
     const InsideRows rows(made.mesh, geometry);
     checkPieces(mask, pieces, rows, made);
-    checkCavities(mask, rows, made);
+    checkCavities(mask, rows, walls.inner, made);
     checkEuler(mask, made);
     if (isVessel(kind)) {
       checkCentreline(mask, rows, made, context);

@@ -23,7 +23,8 @@ struct OrientedPoints {
   std::vector<double> weights;
 };
 
-/// method.md 1. The mask is padded by one voxel of background. Throws ReconstructionError on an empty mask.
+/// method.md 1. The mask is padded by one voxel of background. Throws ReconstructionError on an empty mask and where
+/// Paper finds no voxel with a gradient (single voxels have none).
 OrientedPoints sampleBoundary(const Mask& mask, const ImageGeometry& geometry, Sampling sampling,
                               const ExecutionContext& context = {});
 

@@ -170,6 +170,9 @@ OrientedPoints sampleBoundary(const Mask& mask, const ImageGeometry& geometry, S
   for (const auto& slice : slices) {
     count += slice.positions.size();
   }
+  if (count == 0) {  // voxels alone: the gradient at their centres is zero
+    throw ReconstructionError("No voxel of the mask has a gradient, so paper sampling finds no surface; use unbiased sampling.");
+  }
   points.positions.reserve(count);
   points.normals.reserve(count);
   points.weights.reserve(count);
