@@ -16,23 +16,26 @@ namespace fs = std::filesystem;
 
 class SampleRoundTrip : public testing::Test {
  protected:
-  void SetUp() override {
+  // Written once, read by every test.
+  static void SetUpTestSuite() {
     patient_ = makeSamplePatient(false);
-    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::path(testing::TempDir()) / ("glisson_round_trip_" + name);
+    folder_ = fs::path(testing::TempDir()) / "glisson_round_trip";
     fs::remove_all(folder_);
     writeSamplePatient(patient_, folder_);
   }
-  void TearDown() override { fs::remove_all(folder_); }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
 
-  const LabelledMask& structure(const std::string& name) const {
+  static const LabelledMask& structure(const std::string& name) {
     return *std::find_if(patient_.segmentation.structures.begin(), patient_.segmentation.structures.end(),
                          [&](const LabelledMask& one) { return one.name == name; });
   }
 
-  SamplePatient patient_;
-  fs::path folder_;
+  static SamplePatient patient_;
+  static fs::path folder_;
 };
+
+SamplePatient SampleRoundTrip::patient_;  // NOLINT(cert-err58-cpp): an empty aggregate
+fs::path SampleRoundTrip::folder_;        // NOLINT(cert-err58-cpp)
 
 bool sameVoxels(const Mask& a, const Mask& b) {
   return a.box() == b.box() && std::equal(a.values().begin(), a.values().end(), b.values().begin(), b.values().end());
