@@ -9,6 +9,7 @@
 
 #include "planning/volumetry/tumour_margin.h"
 #include "tests/planning/voxel_bodies.h"
+#include "tests/support/trials.h"
 
 namespace glisson {
 namespace {
@@ -62,7 +63,7 @@ TEST(Volumes, ResectedAndRemnantAddUpExactlyForRandomPlans) {
   std::uniform_real_distribution<double> shift(-35, 35);
   const Vec3 centre = liver.liver->geometry.toWorld(Vec3(44.5, 44.5, 14.5));
   const auto plane = [&] { return HalfSpace{centre + Vec3(shift(random), shift(random), shift(random)), randomDirection(random)}; };
-  for (int n = 0; n < 1000; ++n) {
+  for (int n = 0; n < test::trials(1000); ++n) {
     const ResectionPlan plan = n % 10 == 0 ? planOf({{plane(), plane()}, {plane()}}) : planOf({{plane()}});
     const PlanAssessment r = assessor.volumes(plan);
     EXPECT_EQ(r.resectedMl + r.remnantMl, r.totalMl);
@@ -80,7 +81,7 @@ TEST(Volumes, ResectedAndRemnantAddUpExactlyForRandomPlans) {
 TEST(Volumes, OppositePlanesShareTheLiverWithoutGapOrOverlap) {
   const PlanAssessor assessor(ballLiver());
   std::mt19937 random(3);
-  for (int n = 0; n < 100; ++n) {
+  for (int n = 0; n < test::trials(100); ++n) {
     const Vec3 normal = randomDirection(random);
     const Vec3 origin = Vec3(-65, 85, 43) + 10 * randomDirection(random);
     const double one = assessor.volumes(planOf({{{origin, normal}}})).resectedMl;
@@ -103,7 +104,7 @@ TEST(Volumes, PlaneThroughTheCentreHalvesABall) {
 TEST(Volumes, MovingAPlaneByATenthOfAMillimetreMovesAreaTimesThat) {
   const PlanAssessor assessor(ballLiver());
   std::mt19937 random(4);
-  for (int n = 0; n < 100; ++n) {
+  for (int n = 0; n < test::trials(100); ++n) {
     const HalfSpace plane{Vec3(-65, 85, 43), n < 3 ? Vec3(Vec3::Unit(n)) : randomDirection(random)};
     const PlanAssessment before = assessor.volumes(planOf({{plane}}));
     const PlanAssessment after = assessor.volumes(planOf({{movedAlongNormal(plane, -0.1)}}));
@@ -164,7 +165,7 @@ TEST(Volumes, OverlappingResectionsCountOnce) {
 TEST(Volumes, UnionOfObliqueResectionsFollowsInclusionAndExclusion) {
   const PlanAssessor assessor(ballLiver());
   std::mt19937 random(6);
-  for (int n = 0; n < 20; ++n) {
+  for (int n = 0; n < test::trials(20); ++n) {
     const HalfSpace a{Vec3(-65, 85, 43) + 8 * randomDirection(random), randomDirection(random)};
     const HalfSpace b{Vec3(-65, 85, 43) + 8 * randomDirection(random), randomDirection(random)};
     const auto ml = [&](const ResectionPlan& plan) { return assessor.volumes(plan).resectedMl; };

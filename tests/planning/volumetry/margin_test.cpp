@@ -7,6 +7,7 @@
 #include "planning/volumetry/assessment.h"
 #include "planning/volumetry/tumour_margin.h"
 #include "tests/planning/voxel_bodies.h"
+#include "tests/support/trials.h"
 
 namespace glisson {
 namespace {
@@ -100,7 +101,7 @@ TEST(Margin, FastSearchEqualsBruteForceWhereTheCutEndsBesideTheTumour) {
   // The tumour sits at the liver's edge, so the nearest point of the plane may lie outside the liver and does not count.
   std::mt19937 random(3);
   int beside = 0;
-  for (int n = 0; n < 12; ++n) {
+  for (int n = 0; n < test::trials(12); ++n) {
     const Vec3 seat = 36 * randomDirection(random);
     const Case liver = liverWith(ball(seat, 5));
     const Vec3 across = seat.cross(randomDirection(random)).normalized();

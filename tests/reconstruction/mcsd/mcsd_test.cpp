@@ -22,6 +22,7 @@
 #include <random>
 
 #include "reconstruction/errors.h"
+#include "tests/support/trials.h"
 
 namespace glisson {
 namespace {
@@ -277,7 +278,7 @@ TEST(Mcsd, AMaskThatFillsItsGridIsClosed) {
 
 TEST(Mcsd, EveryRandomLabelMapGivesASoundSurfaceUnsmoothedAndAnHonestAnswerAfterDecimation) {
   std::mt19937 random(20161);
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < test::trials(300); ++trial) {
     const auto side = [&] { return 3 + static_cast<int>(random() % 12); };
     const Index3 size{side(), side(), side()};
     std::vector<std::uint8_t> values(static_cast<std::size_t>(size[0] * size[1] * size[2]));

@@ -9,6 +9,7 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/mcsd/mcsd.h"
 #include "tests/reconstruction/mesh/solids.h"
+#include "tests/support/trials.h"
 
 namespace glisson {
 namespace {
@@ -177,7 +178,7 @@ TEST(Cut, AValleyThatTouchesThePlaneInAnEdgeStaysManifold) {
 TEST(Cut, TwoThousandRandomPlanesConserveVolumeToOneInABillion) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> share(0.0, 1.0);
-  for (int body = 0; body < 40; ++body) {
+  for (int body = 0; body < test::trials(40); ++body) {
     const SurfaceMesh mesh = blob(random, body % 2 == 0 ? 0 : 10, body % 4 < 2 ? 0.0 : 1.5);
     if (mesh.defects().any()) {
       continue;
@@ -194,7 +195,7 @@ TEST(Cut, TwoThousandRandomPlanesConserveVolumeToOneInABillion) {
 
 TEST(Cut, AThousandDegeneratePlanesConserveVolumeToOneInABillion) {
   std::mt19937 random(2);
-  for (int body = 0; body < 40; ++body) {
+  for (int body = 0; body < test::trials(40); ++body) {
     const SurfaceMesh mesh = blob(random, body % 5 == 0 ? 10 : 0, body % 2 == 0 ? 0.0 : 2.0);
     if (mesh.defects().any()) {
       continue;

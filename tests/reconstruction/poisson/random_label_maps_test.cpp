@@ -12,15 +12,12 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/mesh/mask_pieces.h"
 #include "reconstruction/reconstruct.h"
+#include "tests/support/trials.h"
 
 namespace glisson {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kMaps = 80;  // under a sanitizer each takes ten times as long
-#else
-constexpr int kMaps = 2000;
-#endif
+constexpr int kMaps = test::trials(2000);
 constexpr int kParts = 4;  // so that they run beside each other
 
 class Chance {
