@@ -916,6 +916,10 @@
         <translation>In der Maske ist kein Voxel gesetzt; es gibt keine Oberfläche zu rekonstruieren.</translation>
     </message>
     <message>
+        <source>No voxel of the mask has a gradient, so paper sampling finds no surface.</source>
+        <translation>Kein Voxel der Maske hat einen Gradienten, die Abtastung wie im Artikel findet also keine Oberfläche.</translation>
+    </message>
+    <message>
         <source>The cutting plane has no direction; place it again.</source>
         <translation>Die Schnittebene hat keine Richtung; setzen Sie sie neu.</translation>
     </message>
@@ -1110,6 +1114,10 @@
     <message>
         <source>%1 lost: %2</source>
         <translation>%1 verloren: %2</translation>
+    </message>
+    <message>
+        <source>%1 in the mesh, %2 in the mask: thin walls are open</source>
+        <translation>%1 im Netz, %2 in der Maske: Dünne Wände sind offen</translation>
     </message>
     <message>
         <source>%1 in the mesh, %2 in the mask</source>

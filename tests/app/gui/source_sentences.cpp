@@ -1,5 +1,7 @@
 #include "source_sentences.h"
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <map>
