@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPixmap>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reconstruction/text.h"
 #include "viewer/slice_outlines.h"
 #include "viewer/slice_painter.h"
 
@@ -142,15 +142,15 @@ std::vector<QRectF> SliceView::Impl::drawTexts(QPainter& painter) const {
   switch (axis) {
     case SliceAxis::Axial:
       name = SliceView::tr("Axial");
-      position = (centre.z() >= 0 ? "S " : "I ") + QString::fromStdString(formatNumber(std::abs(centre.z()), 1));
+      position = (centre.z() >= 0 ? "S " : "I ") + QLocale().toString(std::abs(centre.z()), 'f', 1);
       break;
     case SliceAxis::Coronal:
       name = SliceView::tr("Coronal");
-      position = (centre.y() >= 0 ? "P " : "A ") + QString::fromStdString(formatNumber(std::abs(centre.y()), 1));
+      position = (centre.y() >= 0 ? "P " : "A ") + QLocale().toString(std::abs(centre.y()), 'f', 1);
       break;
     case SliceAxis::Sagittal:
       name = SliceView::tr("Sagittal");
-      position = (centre.x() >= 0 ? "L " : "R ") + QString::fromStdString(formatNumber(std::abs(centre.x()), 1));
+      position = (centre.x() >= 0 ? "L " : "R ") + QLocale().toString(std::abs(centre.x()), 'f', 1);
       break;
   }
   std::vector<QRectF> taken;

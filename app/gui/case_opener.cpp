@@ -1,9 +1,7 @@
 #include "app/gui/case_opener.h"
 
-#include <QMessageBox>
-#include <QPushButton>
-
 #include "app/gui/label_dialog.h"
+#include "app/gui/question_box.h"
 #include "app/gui/sentences.h"
 #include "reconstruction/errors.h"
 
@@ -101,47 +99,36 @@ void CaseOpener::askKinds(const OpenRequest& request, const std::vector<Labelled
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, request] {
     OpenRequest again = request;
-    again.options.kindByName.merge(dialog->chosen());
+    again.answeredKinds = dialog->chosen();
     start(again);
   });
   dialog->open();
 }
 
 void CaseOpener::askConsent(const OpenRequest& request, Consent consent, const QString& refusal) {
-  auto* box = new QMessageBox(QMessageBox::Warning, tr("A question before reading"), consequenceOf(consent), QMessageBox::NoButton,
-                              dialogParent_);
-  box->setObjectName("consentDialog");
-  box->setInformativeText(shownSentence(refusal));
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  QPushButton* accept = box->addButton(tr("Read it all the same"), QMessageBox::AcceptRole);
-  accept->setObjectName("consentAccept");
-  box->setDefaultButton(box->addButton(QMessageBox::Cancel));
-  connect(accept, &QPushButton::clicked, this, [this, request, consent] {
+  const auto accept = [this, request, consent] {
     OpenRequest again = request;
     again.options.consents.insert(consent);
     start(again);
-  });
-  box->open();
+  };
+  ask(dialogParent_, {"consentDialog", tr("A question before reading"), consequenceOf(consent), shownSentence(refusal)},
+      {{"consentAccept", tr("Read it all the same"), accept}});
 }
 
 void CaseOpener::askFrame(const OpenRequest& request, const QString& refusal) {
-  auto* box =
-      new QMessageBox(QMessageBox::Warning, tr("A question before reading"),
-                      tr("The file places its voxels in two ways that disagree (sform and qform). The wrong one moves or mirrors "
-                         "the liver. Choose the one your other programs use."),
-                      QMessageBox::NoButton, dialogParent_);
-  box->setObjectName("frameDialog");
-  box->setInformativeText(shownSentence(refusal));
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  for (const auto& [text, frame] : {std::pair(tr("Use sform"), NiftiFrame::SForm), std::pair(tr("Use qform"), NiftiFrame::QForm)}) {
-    connect(box->addButton(text, QMessageBox::AcceptRole), &QPushButton::clicked, this, [this, request, choice = frame] {
+  const auto use = [this, request](NiftiFrame frame) {
+    return [this, request, frame] {
       OpenRequest again = request;
-      again.options.niftiFrame = choice;
+      again.options.niftiFrame = frame;
       start(again);
-    });
-  }
-  box->setDefaultButton(box->addButton(QMessageBox::Cancel));
-  box->open();
+    };
+  };
+  ask(dialogParent_,
+      {"frameDialog", tr("A question before reading"),
+       tr("The file places its voxels in two ways that disagree (sform and qform). The wrong one moves or mirrors "
+          "the liver. Choose the one your other programs use."),
+       shownSentence(refusal)},
+      {{"frameSform", tr("Use sform"), use(NiftiFrame::SForm)}, {"frameQform", tr("Use qform"), use(NiftiFrame::QForm)}});
 }
 
 }  // namespace glisson

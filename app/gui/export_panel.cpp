@@ -4,12 +4,12 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
 
 #include "app/gui/model_builder.h"
+#include "app/gui/question_box.h"
 #include "app/gui/sentences.h"
 #include "planning/exchange/package.h"
 
@@ -149,19 +149,12 @@ void ExportPanel::exportTo(const QString& directory) {
     write(directory, false);
     return;
   }
-  auto* box =
-      new QMessageBox(QMessageBox::Warning, tr("Structures deviate"),
-                      tr("The surfaces of these structures differ from their voxels more than they should. A navigation system "
-                         "would show them as they are."),
-                      QMessageBox::NoButton, this);
-  box->setObjectName("deviationDialog");
-  box->setInformativeText(found.join('\n'));
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  QPushButton* accept = box->addButton(tr("Export all the same"), QMessageBox::AcceptRole);
-  accept->setObjectName("deviationAccept");
-  box->setDefaultButton(box->addButton(QMessageBox::Cancel));
-  connect(accept, &QPushButton::clicked, this, [this, directory] { write(directory, true); });
-  box->open();
+  ask(this,
+      {"deviationDialog", tr("Structures deviate"),
+       tr("The surfaces of these structures differ from their voxels more than they should. A navigation system "
+          "would show them as they are."),
+       found.join('\n')},
+      {{"deviationAccept", tr("Export all the same"), [this, directory] { write(directory, true); }}});
 }
 
 void ExportPanel::write(const QString& directory, bool acceptDeviations) {

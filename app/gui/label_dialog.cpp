@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <iterator>
 
 #include "app/gui/number_text.h"
 #include "app/gui/sentences.h"
@@ -66,7 +67,7 @@ LabelDialog::LabelDialog(const std::vector<LabelledMask>& unknown, const ImageGe
     }
     connect(choice, &QComboBox::currentIndexChanged, this, &LabelDialog::updateAccept);
     grid->addWidget(choice, row, 2);
-    choices_.emplace_back(label.name, choice);
+    choices_.push_back(choice);
     ++row;
   }
   auto* scroll = new QScrollArea(this);
@@ -86,16 +87,15 @@ LabelDialog::LabelDialog(const std::vector<LabelledMask>& unknown, const ImageGe
 }
 
 void LabelDialog::updateAccept() {
-  const bool complete = std::ranges::all_of(choices_, [](const auto& choice) { return choice.second->currentData().toInt() >= 0; });
+  const bool complete = std::ranges::all_of(choices_, [](const auto& choice) { return choice->currentData().toInt() >= 0; });
   acceptButton_->setEnabled(complete);
   acceptButton_->setToolTip(complete ? QString() : tr("Choose a kind for every label first."));
 }
 
-std::map<std::string, StructureKind> LabelDialog::chosen() const {
-  std::map<std::string, StructureKind> kinds;
-  for (const auto& [name, choice] : choices_) {
-    kinds[name] = static_cast<StructureKind>(choice->currentData().toInt());
-  }
+std::vector<StructureKind> LabelDialog::chosen() const {
+  std::vector<StructureKind> kinds;
+  std::ranges::transform(choices_, std::back_inserter(kinds),
+                         [](const QComboBox* choice) { return static_cast<StructureKind>(choice->currentData().toInt()); });
   return kinds;
 }
 

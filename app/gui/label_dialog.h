@@ -15,12 +15,12 @@ class LabelDialog : public QDialog {
   Q_OBJECT
  public:
   LabelDialog(const std::vector<LabelledMask>& unknown, const ImageGeometry& geometry, QWidget* parent = nullptr);
-  /// The kinds chosen, by name.
-  [[nodiscard]] std::map<std::string, StructureKind> chosen() const;
+  /// The kinds chosen, one for each of `unknown` in its order: names may repeat.
+  [[nodiscard]] std::vector<StructureKind> chosen() const;
 
  private:
   void updateAccept();
-  std::vector<std::pair<std::string, QComboBox*>> choices_;
+  std::vector<QComboBox*> choices_;
   QPushButton* acceptButton_ = nullptr;
 };
 

@@ -76,12 +76,18 @@ std::vector<LabelledMask> unknownLabels(const Segmentation& segmentation) {
   return unknown;
 }
 
-/// The answers of the label dialog, laid over what was read before.
-void applyKinds(Segmentation& segmentation, const ReadOptions& options) {
+/// The kinds of the command line by name, then the answers of the label dialog, laid over what was read before.
+void applyKinds(Segmentation& segmentation, const OpenRequest& request) {
   for (LabelledMask& mask : segmentation.structures) {
-    const auto chosen = options.kindByName.find(mask.name);
-    if (chosen != options.kindByName.end()) {
+    const auto chosen = request.options.kindByName.find(mask.name);
+    if (chosen != request.options.kindByName.end()) {
       mask.kind = chosen->second;
+    }
+  }
+  auto answer = request.answeredKinds.begin();
+  for (LabelledMask& mask : segmentation.structures) {
+    if (!mask.kind && answer != request.answeredKinds.end()) {
+      mask.kind = *answer++;
     }
   }
 }
@@ -154,7 +160,7 @@ OpenedCase openInputs(const OpenRequest& request, const ExecutionContext& contex
         std::make_shared<Segmentation>(readSegmentation(*inputs.segmentation, request.options, context.range(0.5, 0.9)));
   }
   Segmentation labels = *kept.segmentation;
-  applyKinds(labels, request.options);
+  applyKinds(labels, request);
   OpenedCase opened;
   opened.unknown = unknownLabels(labels);
   if (opened.needsKinds()) {

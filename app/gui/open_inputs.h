@@ -24,6 +24,8 @@ struct OpenRequest {
   std::vector<std::filesystem::path> paths;
   bool sample = false;  ///< the built-in patient; paths are ignored
   ReadOptions options;
+  /// The user's answers for OpenedCase::unknown, in its order: names may repeat.
+  std::vector<StructureKind> answeredKinds{};
   std::shared_ptr<ReadSoFar> readSoFar = std::make_shared<ReadSoFar>();
 };
 

@@ -61,6 +61,26 @@ TEST_F(OpenInputsTest, TheBuiltInPatientsCtIsMadeAgainFromItsCaseAndNothingElse)
   EXPECT_THROW(readCtOf(gone), InputError);
 }
 
+TEST_F(OpenInputsTest, TwoUnknownLabelsOfOneNameEachKeepTheirOwnAnswer) {
+  OpenRequest request{.paths = {folder_ / "segmentation.seg.nrrd"}, .options = {}};
+  request.readSoFar->segmentation = std::make_shared<Segmentation>(makeSamplePatient(false).segmentation);
+  std::vector<LabelledMask>& masks = request.readSoFar->segmentation->structures;
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < masks.size() && unknown.size() < 2; ++i) {
+    if (masks[i].kind == StructureKind::PortalVein || masks[i].kind == StructureKind::HepaticVein) {
+      masks[i].kind.reset();
+      masks[i].name = "label 64";
+      unknown.push_back(i);
+    }
+  }
+  ASSERT_EQ(openInputs(request).unknown.size(), 2U);
+  request.answeredKinds = {StructureKind::Artery, StructureKind::BileDuct};
+  const OpenedCase opened = openInputs(request);
+  ASSERT_FALSE(opened.needsKinds());
+  EXPECT_EQ(opened.content.segmentation->structures[unknown[0]].kind, StructureKind::Artery);
+  EXPECT_EQ(opened.content.segmentation->structures[unknown[1]].kind, StructureKind::BileDuct);
+}
+
 TEST_F(OpenInputsTest, AFolderOfMasksBesideTheCtOpensAsOnePatient) {
   const auto patient = folder_ / "patient";
   std::filesystem::create_directories(patient);
