@@ -48,6 +48,12 @@ HandleLayout layoutHandles(const HalfSpace& plane, const Vec3& anchor, const std
   layout.label =
       layout.arrowTip + layout.mmPerPixel * (kLabelPixels * acrossView - kLabelBelow * (1.0 - acrossView.norm()) * camera.up);
   layout.label = insideView(layout.label, camera, kLabelHalfWidth, kLabelHalfHeight);
+  const Pixel offTip = camera.toPixel(layout.label) - camera.toPixel(layout.arrowTip);
+  if (std::abs(offTip.x()) < kLabelHalfWidth && std::abs(offTip.y()) < kLabelBelow) {
+    // pushed onto the arrow by the view's border: it stands below the tip, or above it at the bottom
+    const bool room = camera.toPixel(layout.arrowTip).y() + kLabelBelow + kLabelHalfHeight <= camera.height;
+    layout.label -= layout.mmPerPixel * ((room ? kLabelBelow : -kLabelBelow) - offTip.y()) * camera.up;
+  }
   const PlaneAxes axes = axesOf(plane.normal);
   const std::array<Vec3, 4> directions{axes.u, axes.v, -axes.u, -axes.v};
   const Pixel centre = camera.toPixel(anchor);

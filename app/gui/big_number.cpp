@@ -23,12 +23,15 @@ BigNumber::BigNumber(const QString& objectName, double scale, QWidget* parent)
   value_->setFixedWidth(metrics.horizontalAdvance(QStringLiteral("-0,000 mL")));
   share_->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("\u2265 -00.0")));
   caption_->setObjectName(objectName + "Caption");
+  // the name of a tumour may be long: it takes a second line, and never pushes a number out of the panel
+  caption_->setWordWrap(true);
+  caption_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   reason_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   reason_->setObjectName(objectName + "Reason");
 
   auto* captions = new QHBoxLayout;
-  captions->addWidget(caption_);
-  captions->addWidget(reason_, 1);
+  captions->addWidget(caption_, 1);
+  captions->addWidget(reason_);
   auto* values = new QHBoxLayout;
   values->addWidget(value_);
   values->addWidget(share_, 1);

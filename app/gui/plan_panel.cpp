@@ -40,9 +40,10 @@ QString stateText(TumourState state) {
 
 QString marginText(const TumourAssessment& tumour) {
   if (tumour.marginMm) {
-    const QString atLeast =
-        tumour.marginAtLeastMm ? QStringLiteral(" (\u2265 ") + mmText(*tumour.marginAtLeastMm) + ')' : QString();
-    return mmText(*tumour.marginMm) + atLeast;
+    // one unit for both numbers: the column is narrow
+    return tumour.marginAtLeastMm ? numberText(*tumour.marginMm, 1) + QStringLiteral(" (\u2265\u00A0") +
+                                        numberText(*tumour.marginAtLeastMm, 1) + QStringLiteral(")\u00A0mm")
+                                  : mmText(*tumour.marginMm);
   }
   return tumour.distanceMm ? PlanPanel::tr("%1 from the cut").arg(mmText(*tumour.distanceMm)) : QString();
 }

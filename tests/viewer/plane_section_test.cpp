@@ -121,6 +121,10 @@ TEST(PlaneHandlesTest, TheWordAtTheArrowStaysInsideTheView) {
       EXPECT_LE(word.x(), camera.width - kLabelHalfWidth + 1e-6);
       EXPECT_GE(word.y(), kLabelHalfHeight - 1e-6);
       EXPECT_LE(word.y(), camera.height - kLabelHalfHeight + 1e-6);
+      const HandleLayout layout = layoutHandles(plane, plane.origin, {}, camera);
+      const Pixel tip = camera.toPixel(layout.arrowTip);
+      EXPECT_TRUE(std::abs(word.x() - tip.x()) >= kLabelHalfWidth - 16 || std::abs(word.y() - tip.y()) >= kLabelHalfHeight)
+          << "the arrow would cross the word";
     }
   }
 }

@@ -349,6 +349,25 @@ TEST_F(WindowTest, NothingIsCutOffInTheSmallestWindowInAnyLanguage) {
   }
 }
 
+TEST_F(WindowTest, ALongTumourNameThatIsCutPushesNoNumberOutOfThePanel) {
+  Case content = smallCase();
+  auto renamed = std::make_shared<Segmentation>(*content.segmentation);
+  renamed->structures[1].name = "livertumor01_segment_VIII of the second phase";
+  emit window->opener().opened(newCase(content.ct, renamed), nullptr, {});
+  ASSERT_TRUE(settle());
+  changeLanguage("de");
+  click("workspacePlan");
+  document().placePlane({smallCentre() + Vec3(20, 0, 0), Vec3::UnitX()});
+  ASSERT_TRUE(settle());
+  QTest::qWait(50);  // layouts settle in the event loop
+  EXPECT_EQ(document().assessment().tumours.front().state, TumourState::Cut);
+  const auto* panel = find<QWidget>("planPanel");
+  for (const char* name : {"flrShare", "resectedShare", "marginShare", "marginReason", "remnantShare"}) {
+    const auto* number = find<QLabel>(name);
+    EXPECT_LE(number->mapTo(panel, QPoint(number->width(), 0)).x(), panel->width()) << name;
+  }
+}
+
 TEST_F(WindowTest, NoControlIsGreyWithoutAReason) {
   // a reason, not what the control would do: greyed and usable, the same control says different things
   std::map<const QWidget*, QString> whileGrey;
