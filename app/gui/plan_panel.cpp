@@ -20,6 +20,7 @@ QTreeWidget* makeTable(const QString& name, QWidget* parent) {
   table->setObjectName(name);
   table->setRootIsDecorated(false);
   table->setSelectionMode(QAbstractItemView::NoSelection);
+  table->setTextElideMode(Qt::ElideMiddle);  // livertumor01 and livertumor02 differ at the end
   table->setMinimumHeight(76);
   table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // shares what room is left
   table->header()->setStretchLastSection(false);
@@ -180,6 +181,7 @@ void PlanPanel::refreshTables() {
   if (shown) {
     for (const TumourAssessment& tumour : now.tumours) {
       auto* row = new QTreeWidgetItem(tumours_, {shownName(tumour.name), stateText(tumour.state), marginText(tumour)});
+      row->setToolTip(0, row->text(0));
       row->setToolTip(2, marginText(tumour));
     }
     for (const VesselCrossing& vessel : now.vesselsCrossed) {
