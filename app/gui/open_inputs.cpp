@@ -126,6 +126,9 @@ SortedInputs sortInputs(const std::vector<fs::path>& paths) {
     }
     const InputKind kind = guessInput(path);
     if (kind == InputKind::Unknown) {
+      if (fs::is_regular_file(path)) {
+        readSegmentation(path);  // refuses it: the reader says best why it cannot be read
+      }
       throw InputError(path.string() + " holds neither a CT, nor a segmentation, nor a case; choose a DICOM folder, NIfTI, NRRD, " +
                        "MetaImage or .glisson file.");
     }

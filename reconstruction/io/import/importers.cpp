@@ -154,7 +154,9 @@ InputKind guessKind(const fs::path& path, const ReadOptions& options) {
     if (toLower(path.filename().string()).ends_with(".seg.nrrd") || recogniseKind(stemOf(path))) {
       return InputKind::Segmentation;
     }
-    return guessFromValues(readImageFile(path, options, Extent::Peek));
+    ReadOptions peek = options;
+    peek.niftiFrame = NiftiFrame::SForm;  // where it lies says nothing about what it is: the reader asks
+    return guessFromValues(readImageFile(path, peek, Extent::Peek));
   }
   std::string why;
   if (hasDicomMagic(path)) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <fstream>
 
 #include "planning/storage/case_file.h"
@@ -89,6 +90,43 @@ TEST_F(OpenInputsTest, AFolderOfMasksBesideTheCtOpensAsOnePatient) {
   const OpenedCase opened = open({patient});
   EXPECT_TRUE(opened.content.ct);
   EXPECT_EQ(opened.content.model->structures.size(), 7U);
+}
+
+/// A NIfTI header of side^3 bytes; its qform lies 5 mm beside its sform where `twoPlaces`.
+std::string niftiHeader(std::int16_t side, bool twoPlaces) {
+  std::string header(352, '\0');
+  const auto put = [&](std::size_t at, auto value) { std::memcpy(&header[at], &value, sizeof(value)); };
+  put(0, std::int32_t{348});
+  for (std::size_t n = 0; n < 4; ++n) {
+    put(40 + 2 * n, n == 0 ? std::int16_t{3} : side);
+    put(76 + 4 * n, 1.0F);
+  }
+  put(70, std::int16_t{2});
+  put(72, std::int16_t{8});
+  put(108, 352.0F);
+  put(252, std::int16_t{1});
+  put(254, std::int16_t{1});
+  put(268, twoPlaces ? 5.0F : 0.0F);
+  for (std::size_t row = 0; row < 3; ++row) {
+    put(280 + 20 * row, 1.0F);
+  }
+  std::memcpy(&header[344], "n+1", 4);
+  return header;
+}
+
+TEST_F(OpenInputsTest, ARefusedImageWhoseNameSaysNothingIsRefusedForItsOwnReason) {
+  const auto said = [&](const char* name, const std::string& bytes) -> std::string {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+    try {
+      open({folder_ / name});
+    } catch (const InputError& refusal) {
+      return refusal.what();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(said("scan.nii", niftiHeader(8, false) + std::string(100, '\1')).find("is cut off"), std::string::npos);
+  EXPECT_NE(said("scan2.nii", niftiHeader(8, true) + std::string(512, '\1')).find("lies in two places"), std::string::npos);
+  EXPECT_NE(said("letter.txt", "Dear doctor").find("of no known format"), std::string::npos);
 }
 
 }  // namespace
