@@ -22,13 +22,13 @@ constexpr const char* kLps = "left-posterior-superior";
 
 /// The bytes with one text in them exchanged.
 Bytes exchanged(const Bytes& bytes, std::string_view from, std::string_view to) {
-  const auto at = std::ranges::search(bytes, from);
-  if (at.empty()) {
+  const auto at = std::search(bytes.begin(), bytes.end(), from.begin(), from.end());
+  if (at == bytes.end()) {
     throw std::runtime_error("fixture without " + std::string(from));
   }
-  Bytes result(bytes.begin(), at.begin());
+  Bytes result(bytes.begin(), at);
   result.insert(result.end(), to.begin(), to.end());
-  result.insert(result.end(), at.end(), bytes.end());
+  result.insert(result.end(), at + static_cast<std::ptrdiff_t>(from.size()), bytes.end());
   return result;
 }
 
