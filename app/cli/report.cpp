@@ -28,14 +28,10 @@ Json toJson(const Reconstruction& result, const ReconstructReport& report) {
   const Seconds& seconds = result.seconds;
   Json json;
   // MCSD's decimation and smoothing belong to the extraction. Self-intersections are counted by `measure` and on export.
-  json["seconds"] = {{"load", report.loadSeconds},
-                     {"sample", seconds.sample},
-                     {"solve", seconds.solve},
-                     {"extract", seconds.extract + seconds.decimate + seconds.smooth},
-                     {"simplify", seconds.simplify},
-                     {"check", seconds.check},
-                     {"selfIntersection", 0},
-                     {"write", report.writeSeconds}};
+  json["seconds"] = {{"load", report.loadSeconds},   {"sample", seconds.sample},
+                     {"solve", seconds.solve},       {"extract", seconds.extract + seconds.decimate + seconds.smooth},
+                     {"simplify", seconds.simplify}, {"check", seconds.check},
+                     {"selfIntersection", 0},        {"write", report.writeSeconds}};
   json["triangles"] = result.mesh.triangles.size();
   json["vertices"] = result.mesh.vertices.size();
   json["volumeMl"] = number(result.meshVolumeMl);
