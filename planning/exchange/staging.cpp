@@ -1,12 +1,14 @@
 #include "planning/exchange/staging.h"
 
 #include <fcntl.h>
+#include <fnmatch.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
-#include <regex>
 #include <system_error>
 
 #include "planning/exchange/atomic_file.h"
@@ -22,8 +24,10 @@ std::string withNumber(const std::string& name, int number) { return number == 1
 
 /// .<code>_<plan>_<YYYYMMDD-HHMM>.tmp, or _2, ... before the ending.
 bool isStaging(const std::string& name) {
-  static const std::regex shape(R"(\..+_.+_[0-9]{8}-[0-9]{4}(_[0-9]+)?\.tmp)");
-  return std::regex_match(name, shape);
+  constexpr std::array kShapes{".?*_?*_[0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9]-[0-9][0-9][0-9][0-9].tmp",
+                               ".?*_?*_[0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9]-[0-9][0-9][0-9][0-9]_[0-9].tmp",
+                               ".?*_?*_[0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9]-[0-9][0-9][0-9][0-9]_[0-9][0-9].tmp"};
+  return std::ranges::any_of(kShapes, [&](const char* shape) { return ::fnmatch(shape, name.c_str(), 0) == 0; });
 }
 
 /// rename() that does not replace, where the file system can; 0 or errno.

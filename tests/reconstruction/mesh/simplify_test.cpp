@@ -11,6 +11,7 @@
 #include "reconstruction/mesh/self_intersection.h"
 #include "reconstruction/poisson/poisson.h"
 #include "tests/reconstruction/mesh/solids.h"
+#include "tests/support/trials.h"
 
 namespace glisson {
 namespace {
@@ -89,7 +90,7 @@ TEST(Simplify, NoPieceBecomesLessThanATetrahedron) {
 }
 
 TEST(Simplify, ADistanceIsKeptAndUsed) {
-  const SurfaceMesh fine = test::sphere({3, -2, 7}, 25, 6);
+  const SurfaceMesh fine = test::sphere({3, -2, 7}, 25, 5);
   std::size_t before = fine.triangles.size();
   for (const double distance : {0.05, 0.2, 1.0}) {
     const SurfaceMesh coarse = simplify(fine, {.distanceMm = distance});
@@ -103,7 +104,7 @@ TEST(Simplify, ADistanceIsKeptAndUsed) {
 TEST(Simplify, RandomLabelMapsStaySoundAndKeepTheirVolume) {
   std::mt19937 random(20260);
   const Index3 size{26, 26, 26};
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < test::trials(60); ++n) {
     ImageGeometry geometry;
     geometry.size = size;
     geometry.spacing = Vec3(0.7, 0.9, 1.0 + 0.1 * (n % 30));
