@@ -12,6 +12,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace glisson {
@@ -84,9 +85,12 @@ ThreadLimit::ThreadLimit(int threads)
 ThreadLimit::~ThreadLimit() { delete impl_; }
 
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, count, std::max<std::size_t>(grain, 1)),
-      [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); }, tbb::simple_partitioner());
+  // Isolated: a thread that waits for this loop takes no piece of a loop around it, which would hold two pieces' memory at once.
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, std::max<std::size_t>(grain, 1)),
+        [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); }, tbb::simple_partitioner());
+  });
 }
 
 #endif

@@ -19,33 +19,35 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The side of a PSR cell, 0 for MCSD.
-double makeSurface(const Mask& mask, const ImageGeometry& geometry, Reconstruction& made, const ExecutionContext& context) {
-  if (made.parameters.method == Method::Psr) {
-    PoissonResult psr = reconstructPoisson(mask, geometry, made.parameters.psr, context);
-    made.mesh = std::move(psr.mesh);
-    made.usedDepth = psr.usedDepth;
-    made.samples = psr.samples;
-    made.seconds.sample = psr.sampleSeconds;
-    made.seconds.solve = psr.solveSeconds;
-    made.seconds.extract = psr.extractSeconds;
-    return psr.cellMm;
-  }
-  McsdResult mcsd = reconstructMcsd(mask, geometry, made.parameters.mcsd, context);
+/// Takes over a Poisson surface; returns the side of its cells.
+double take(PoissonResult psr, Reconstruction& made) {
+  made.mesh = std::move(psr.mesh);
+  made.usedDepth = psr.usedDepth;
+  made.samples = psr.samples;
+  made.seconds.sample = psr.sampleSeconds;
+  made.seconds.solve = psr.solveSeconds;
+  made.seconds.extract = psr.extractSeconds;
+  return psr.cellMm;
+}
+
+void take(McsdResult mcsd, Reconstruction& made) {
   made.mesh = std::move(mcsd.mesh);
   made.seconds.extract = mcsd.extractSeconds;
   made.seconds.smooth = mcsd.smoothSeconds;
   made.seconds.decimate = mcsd.decimateSeconds;
-  return 0.0;
 }
 
-/// Smoothing behind decimation leaves a few triangles that pass through each other; they are moved apart where they are few.
+/// Smoothing behind decimation leaves a few triangles that pass through each other; they are moved apart where they are few. Those
+/// of decimation alone are counted. Marching cubes alone has none, and apart at its doubled vertices a surface has no neighbours to
+/// tell.
 void removeSelfIntersections(Reconstruction& made, const ExecutionContext& context) {
   constexpr std::size_t kTrianglesPerPair = 200;
-  if (made.parameters.method != Method::Mcsd || made.parameters.mcsd.smoothing == 0 || made.parameters.mcsd.splitNormals) {
+  const McsdParameters& mcsd = made.parameters.mcsd;
+  if (made.parameters.method != Method::Mcsd || (mcsd.smoothing == 0 && mcsd.decimation == 0) || mcsd.splitNormals) {
     return;
   }
-  const Untangled untangled = untangle(made.mesh, made.mesh.triangles.size() / kTrianglesPerPair, context);
+  const std::size_t mostPairs = mcsd.smoothing == 0 ? 0 : made.mesh.triangles.size() / kTrianglesPerPair;
+  const Untangled untangled = untangle(made.mesh, mostPairs, context);
   made.defects.selfIntersections = untangled.after;
   if (untangled.movedVertices > 0) {
     made.notes.push_back(std::to_string(untangled.before - std::min(untangled.before, untangled.after)) + " of " +
@@ -67,9 +69,26 @@ void simplifyMesh(Reconstruction& made, const ExecutionContext& context) {
   made.seconds.simplify = watch.seconds();
 }
 
+/// What follows the surface, by either method: the last 15 % of a set's progress.
+void check(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm, Reconstruction& made,
+           const ExecutionContext& context) {
+  context.report(0.85, "checks");
+  const Stopwatch watch;
+  removeSelfIntersections(made, context);
+  if (made.parameters.simplify) {
+    simplifyMesh(made, context.range(0.88, 0.95));
+  }
+  context.report(0.95, "checks");
+  checkAgainstMask(mask, geometry, kind, psrCellMm, made, context);
+  made.seconds.check = watch.seconds() - made.seconds.simplify;
+  context.report(1.0, "checks");
+}
+
 std::string describeMethod(const ReconstructionParameters& p) {
   if (p.method == Method::Psr) {
-    const std::string text = "PSR d=" + std::to_string(p.psr.depth) + (p.psr.sampling == Sampling::Paper ? " paper" : " unbiased");
+    const bool paper = p.psr.sampling == Sampling::Paper;
+    const std::string text = p.autoDepth ? (paper ? "PSR d=auto paper" : "PSR d=auto unbiased")
+                                         : "PSR d=" + std::to_string(p.psr.depth) + (paper ? " paper" : " unbiased");
     return p.psr.pointWeight > 0 ? text + " screened " + formatExact(p.psr.pointWeight) : text;
   }
   const std::string filter = p.mcsd.filter == SmoothingFilter::Sinc ? "sinc " : "Laplacian ";
@@ -84,13 +103,22 @@ std::string describeMethod(const ReconstructionParameters& p) {
 
 void ReconstructionParameters::validate() const {
   if (method == Method::Psr) {
-    psr.validate();
+    usedPsr().validate();
   } else {
     mcsd.validate();
   }
   if (simplify) {
     simplify->validate();
   }
+}
+
+PoissonParameters ReconstructionParameters::usedPsr() const {
+  PoissonParameters used = psr;
+  if (autoDepth) {
+    used.depth = kDeepestPsr;  // the solver lowers it
+    used.finestCell = kAutoCell;
+  }
+  return used;
 }
 
 std::string ReconstructionParameters::describe() const {
@@ -102,6 +130,7 @@ std::string ReconstructionParameters::describe() const {
   }
   return text;
 }
+
 ReconstructionParameters ReconstructionParameters::defaultsFor(StructureKind kind) {
   ReconstructionParameters parameters;
   parameters.method = kind == StructureKind::Liver ? Method::Psr : Method::Mcsd;
@@ -112,24 +141,51 @@ double Reconstruction::volumeDeviation() const { return meshVolumeMl / voxelVolu
 
 Reconstruction reconstruct(const Mask& mask, const ImageGeometry& geometry, StructureKind kind,
                            const ReconstructionParameters& parameters, const ExecutionContext& context) {
-  parameters.validate();
+  Reconstruction made;
+  reconstructEach(
+      mask, geometry, kind, std::span(&parameters, 1), [&](std::size_t /*set*/, Reconstruction one) { made = std::move(one); },
+      context);
+  return made;
+}
+
+void reconstructEach(const Mask& mask, const ImageGeometry& geometry, StructureKind kind,
+                     std::span<const ReconstructionParameters> sets, const ReconstructionVisitor& visit,
+                     const ExecutionContext& context) {
+  std::vector<McsdParameters> mcsdSets;
+  std::vector<std::size_t> mcsdPlaces;
+  for (std::size_t n = 0; n < sets.size(); ++n) {
+    sets[n].validate();
+    if (sets[n].method == Method::Mcsd) {
+      mcsdSets.push_back(sets[n].mcsd);
+      mcsdPlaces.push_back(n);
+    }
+  }
   if (mask.empty()) {
     throw ReconstructionError("The mask is empty, so there is no surface to make; choose another structure.");
   }
-  Reconstruction made;
-  made.parameters = parameters;
-  const double cellMm = makeSurface(mask, geometry, made, context.range(0.0, 0.85));
-  context.report(0.85, "checks");
-  const Stopwatch check;
-  removeSelfIntersections(made, context);
-  if (parameters.simplify) {
-    simplifyMesh(made, context.range(0.88, 0.95));
+  const double step = 1.0 / static_cast<double>(sets.size());
+  double done = 0.0;
+  for (std::size_t n = 0; n < sets.size(); ++n) {
+    if (sets[n].method == Method::Psr) {
+      Reconstruction made;
+      made.parameters = sets[n];
+      const ExecutionContext part = context.range(done, done + step);
+      const double cellMm = take(reconstructPoisson(mask, geometry, sets[n].usedPsr(), part.range(0.0, 0.85)), made);
+      check(mask, geometry, kind, cellMm, made, part);
+      visit(n, std::move(made));
+      done += step;
+    }
   }
-  context.report(0.95, "checks");
-  checkAgainstMask(mask, geometry, kind, cellMm, made, context);
-  made.seconds.check = check.seconds() - made.seconds.simplify;
-  context.report(1.0, "checks");
-  return made;
+  const auto takeMcsd = [&](std::size_t n, McsdResult result, const ExecutionContext& part) {
+    Reconstruction made;
+    made.parameters = sets[mcsdPlaces[n]];
+    take(std::move(result), made);
+    check(mask, geometry, kind, 0.0, made, part);
+    visit(mcsdPlaces[n], std::move(made));
+  };
+  if (!mcsdSets.empty()) {
+    sweepMcsd(mask, geometry, mcsdSets, takeMcsd, context.range(done, 1.0));
+  }
 }
 
 }  // namespace glisson

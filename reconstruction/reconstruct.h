@@ -1,7 +1,9 @@
 #pragma once
 // Purpose: one structure from mask to checked mesh: the call behind `glisson-cli reconstruct`, `model` and the window's jobs.
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,14 +17,24 @@ namespace glisson {
 
 enum class Method : std::uint8_t { Psr, Mcsd };
 
+/// The greatest depth of Poisson reconstruction.
+inline constexpr int kDeepestPsr = 10;
+/// The least side of a cell of an automatic depth, over the smallest spacing. With finer cells screened vessels fall into pieces
+/// between the slices, with twice coarser ones thin branches are lost (docs/vessels.md).
+inline constexpr double kAutoCell = 0.8;
+
 struct ReconstructionParameters {
   Method method = Method::Psr;
   PoissonParameters psr;
+  bool autoDepth = false;  ///< psr: the deepest up to kDeepestPsr with cells of kAutoCell or more; psr.depth is not looked at
   McsdParameters mcsd;
   std::optional<SimplifyTarget> simplify;  ///< behind either method
 
   void validate() const;
-  /// "PSR d=7 unbiased", "MCSD sinc 10 decimation 25 %", "..., simplified to 10000 triangles": for lists and reports.
+  /// `psr` with the depth to ask for.
+  [[nodiscard]] PoissonParameters usedPsr() const;
+  /// "PSR d=7 unbiased", "PSR d=auto unbiased", "MCSD sinc 10 decimation 25 %", "..., simplified to 10000 triangles": for lists and
+  /// reports.
   [[nodiscard]] std::string describe() const;
   /// Parenchyma by PSR d=7 unbiased, the others by MCSD sinc s=10 e=0.25.
   static ReconstructionParameters defaultsFor(StructureKind kind);
@@ -56,5 +68,14 @@ struct Reconstruction {
 /// method.md 3 and whether the centreline is looked at. Throws ReconstructionError (empty mask), UsageError, Cancelled.
 Reconstruction reconstruct(const Mask& mask, const ImageGeometry& geometry, StructureKind kind,
                            const ReconstructionParameters& parameters, const ExecutionContext& context = {});
+
+/// Takes the reconstruction of set number `set`. May be called on several threads at once, in no fixed order.
+using ReconstructionVisitor = std::function<void(std::size_t set, Reconstruction made)>;
+
+/// reconstruct() of every set of parameters, the same meshes. MCSD sets share their stages (sweepMcsd()) and are checked on several
+/// threads; PSR sets are made one after the other. What the visitor has taken is kept no longer.
+void reconstructEach(const Mask& mask, const ImageGeometry& geometry, StructureKind kind,
+                     std::span<const ReconstructionParameters> sets, const ReconstructionVisitor& visit,
+                     const ExecutionContext& context = {});
 
 }  // namespace glisson

@@ -202,7 +202,7 @@ void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, Structure
     made.notes.emplace_back("touches the border of the image and is cut off there");
   }
   const int asked = made.parameters.psr.depth;
-  if (made.parameters.method == Method::Psr && made.usedDepth < asked) {
+  if (made.parameters.method == Method::Psr && !made.parameters.autoDepth && made.usedDepth < asked) {
     made.notes.push_back("depth " + std::to_string(made.usedDepth) + " used instead of " + std::to_string(asked) +
                          ": finer cells would be below half a voxel");
   }

@@ -1056,6 +1056,14 @@
         <translation>PSR d=%1 unverzerrt</translation>
     </message>
     <message>
+        <source>PSR d=auto paper</source>
+        <translation>PSR d=auto wie im Artikel</translation>
+    </message>
+    <message>
+        <source>PSR d=auto unbiased</source>
+        <translation>PSR d=auto unverzerrt</translation>
+    </message>
+    <message>
         <source>%1 screened %2</source>
         <translation>%1 mit Punktgewicht %2</translation>
     </message>

@@ -38,12 +38,12 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// OUT.stl -> OUT_d5.stl where several depths are asked for.
-std::filesystem::path withDepth(const std::filesystem::path& path, int depth, bool several) {
-  if (!several || path.empty()) {
+/// OUT.stl -> OUT_d5.stl where several surfaces are asked for.
+std::filesystem::path withSuffix(const std::filesystem::path& path, const std::string& suffix) {
+  if (suffix.empty() || path.empty()) {
     return path;
   }
-  return path.parent_path() / (path.stem().string() + "_d" + std::to_string(depth) + path.extension().string());
+  return path.parent_path() / (path.stem().string() + suffix + path.extension().string());
 }
 
 void checkOutputs(const Flags& flags) {
@@ -84,7 +84,7 @@ void write(Made& made, const ChosenMask& chosen) {
 }
 
 int reconstructAll(const CLI::App& command, const Flags& flags, const ExecutionContext& context) {
-  const std::vector<ReconstructionParameters> sets = parametersOf(command, flags.method);
+  const std::vector<ParameterSet> sets = parametersOf(command, flags.method);
   const ReadOptions options = readOptions(flags.input);
   checkOutputs(flags);
   const ThreadLimit limit(flags.threads);
@@ -94,15 +94,17 @@ int reconstructAll(const CLI::App& command, const Flags& flags, const ExecutionC
   const ChosenMask chosen = chooseMask(segmentation, flags.choice);
   const double loadSeconds = secondsSince(start);
 
-  std::vector<Made> all;
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    const double from = 0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(sets.size());
-    const double to = 0.2 + 0.8 * static_cast<double>(i + 1) / static_cast<double>(sets.size());
-    const PeakMemory memory;
-    Made& made = all.emplace_back();
-    made.output = withDepth(flags.output, sets[i].psr.depth, sets.size() > 1);
-    made.report = withDepth(flags.report, sets[i].psr.depth, sets.size() > 1);
-    made.result = reconstruct(*chosen.mask, segmentation.geometry, chosen.kind, sets[i], context.range(from, to));
+  std::vector<Made> all(sets.size());
+  std::vector<ReconstructionParameters> parameters;
+  for (const ParameterSet& set : sets) {
+    parameters.push_back(set.parameters);
+  }
+  const PeakMemory memory;
+  const auto take = [&](std::size_t n, Reconstruction result) {
+    Made& made = all[n];
+    made.output = withSuffix(flags.output, sets[n].suffix);
+    made.report = withSuffix(flags.report, sets[n].suffix);
+    made.result = std::move(result);
     made.measured.peakGrowthMb = memory.growthMb();
     made.measured.loadSeconds = loadSeconds;
     made.measured.threads = flags.threads;
@@ -110,7 +112,8 @@ int reconstructAll(const CLI::App& command, const Flags& flags, const ExecutionC
       made.measured.paperErrorMm = paperError(made.result.mesh, *chosen.mask, segmentation.geometry, context);
       made.measured.voxelErrorMm = voxelError(made.result.mesh, *chosen.mask, segmentation.geometry, context);
     }
-  }
+  };
+  reconstructEach(*chosen.mask, segmentation.geometry, chosen.kind, parameters, take, context.range(0.2, 1.0));
 
   int code = kDone;
   for (Made& made : all) {

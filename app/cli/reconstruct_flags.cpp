@@ -1,5 +1,7 @@
 #include "app/cli/reconstruct_flags.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "reconstruction/errors.h"
@@ -32,22 +34,73 @@ Value oneOf(const std::string& flag, const std::string& text, const std::vector<
   throw UsageError(flag + " takes " + list + ", not \"" + text + "\"");
 }
 
-std::vector<int> depthsOf(const std::string& text) {
-  std::vector<int> depths;
+/// The values of a comma separated list, each once, by `parse`, which gives nothing for what is no value.
+template <typename Parse>
+auto listOf(const std::string& flag, const std::string& text, const std::string& words, Parse&& parse) {
+  std::vector<typename std::invoke_result_t<Parse, const std::string&>::value_type> values;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
-    const auto depth = parseInteger(part);
-    if (!depth || *depth != static_cast<int>(*depth)) {
-      throw UsageError("--depth takes whole numbers separated by commas, not \"" + text + "\"");
+    const auto value = parse(part);
+    if (!value) {
+      throw UsageError(flag + " takes " + words + " separated by commas, not \"" + text + "\"");
     }
-    if (std::find(depths.begin(), depths.end(), static_cast<int>(*depth)) == depths.end()) {
-      depths.push_back(static_cast<int>(*depth));
+    if (std::find(values.begin(), values.end(), *value) == values.end()) {
+      values.push_back(*value);
     }
   }
-  if (depths.empty()) {
-    throw UsageError("--depth needs a number from 5 to 10");
+  if (values.empty() || text.ends_with(',')) {
+    throw UsageError(flag + " takes " + words + " separated by commas, not \"" + text + "\"");
   }
-  return depths;
+  return values;
+}
+
+std::optional<int> wholeNumber(const std::string& text) {
+  const auto value = parseInteger(text);
+  return value && *value == static_cast<int>(*value) ? std::optional(static_cast<int>(*value)) : std::nullopt;
+}
+
+constexpr int kAutoDepth = 0;
+
+std::vector<int> depthsOf(const std::string& text) {
+  return listOf("--depth", text, "whole numbers from 5 to 10 or auto", [](const std::string& part) -> std::optional<int> {
+    const auto depth = wholeNumber(part);
+    return part == "auto" ? kAutoDepth : depth == kAutoDepth ? std::nullopt : depth;
+  });
+}
+
+std::vector<ParameterSet> psrSets(const ReconstructionParameters& common, const std::string& depthList) {
+  const std::vector<int> depths = depthsOf(depthList);
+  std::vector<ParameterSet> sets;
+  for (const int depth : depths) {
+    ParameterSet& set = sets.emplace_back();
+    set.parameters = common;
+    set.parameters.autoDepth = depth == kAutoDepth;
+    if (depth != kAutoDepth) {
+      set.parameters.psr.depth = depth;
+    }
+    if (depths.size() > 1) {
+      set.suffix = "_d" + (depth == kAutoDepth ? "auto" : std::to_string(depth));
+    }
+  }
+  return sets;
+}
+
+std::vector<ParameterSet> mcsdSets(const ReconstructionParameters& common, const ReconstructFlags& flags) {
+  const auto smoothings = listOf("--smoothing", flags.smoothings, "whole numbers", wholeNumber);
+  const auto decimations = listOf("--decimation", flags.decimations, "shares from 0 to 0.99", parseNumber);
+  std::vector<ParameterSet> sets;
+  for (const int smoothing : smoothings) {
+    for (const double decimation : decimations) {
+      ParameterSet& set = sets.emplace_back();
+      set.parameters = common;
+      set.parameters.mcsd.smoothing = smoothing;
+      set.parameters.mcsd.decimation = decimation;
+      if (smoothings.size() * decimations.size() > 1) {
+        set.suffix = "_s" + std::to_string(smoothing) + "_e" + formatExact(std::round(1e9 * decimation) / 1e7);
+      }
+    }
+  }
+  return sets;
 }
 
 std::optional<SimplifyTarget> simplifyTargetOf(const std::string& text) {
@@ -70,21 +123,25 @@ std::optional<SimplifyTarget> simplifyTargetOf(const std::string& text) {
 
 void addReconstructFlags(CLI::App& command, ReconstructFlags& flags) {
   PoissonParameters& psr = flags.parameters.psr;
-  McsdParameters& mcsd = flags.parameters.mcsd;
   command.add_option("--method", flags.method, "psr (Poisson) or mcsd (marching cubes, smoothing, decimation)")
       ->capture_default_str();
-  command.add_option("--depth", flags.depths, "psr: 5 to 10; a,b,c writes OUT_da.ext, OUT_db.ext, ...")->capture_default_str();
+  command.add_option("--depth", flags.depths, "psr: 5 to 10, or auto: from the voxel spacing; a,b writes OUT_da.ext, OUT_db.ext")
+      ->capture_default_str();
   command.add_option("--sampling", flags.sampling, "psr: unbiased or paper")->capture_default_str();
   addNumber(command, "--point-weight", psr.pointWeight, "psr: screening; 0 is none");
   addNumber(command, "--scale", psr.scale, "psr: cube side over the largest extent");
-  addInteger(command, "--smoothing", mcsd.smoothing, "mcsd: iterations");
+  command.add_option("--smoothing", flags.smoothings, "mcsd: iterations; a,b writes OUT_sa_e25.ext, OUT_sb_e25.ext")
+      ->capture_default_str();
   command.add_option("--filter", flags.filter, "mcsd: sinc or laplacian")->capture_default_str();
-  addNumber(command, "--decimation", mcsd.decimation, "mcsd: share of triangles to remove, 0 to 0.99");
+  command
+      .add_option("--decimation", flags.decimations,
+                  "mcsd: share of triangles to remove, 0 to 0.99; a,b (0.1,0.5) writes OUT_s10_e10.ext, OUT_s10_e50.ext")
+      ->capture_default_str();
   command.add_option("--order", flags.order, "mcsd: decimate-first or smooth-first")->capture_default_str();
   command.add_option("--simplify", flags.simplify, "Fewer triangles: a number (10000) or the distance allowed (0.3mm)");
 }
 
-std::vector<ReconstructionParameters> parametersOf(const CLI::App& command, const ReconstructFlags& flags) {
+std::vector<ParameterSet> parametersOf(const CLI::App& command, const ReconstructFlags& flags) {
   ReconstructionParameters parameters = flags.parameters;
   parameters.method = oneOf<Method>("--method", flags.method, {{"psr", Method::Psr}, {"mcsd", Method::Mcsd}});
   refuse(command, parameters.method == Method::Psr ? kMcsdFlags : kPsrFlags, flags.method);
@@ -95,14 +152,10 @@ std::vector<ReconstructionParameters> parametersOf(const CLI::App& command, cons
   parameters.mcsd.order = oneOf<McsdOrder>(
       "--order", flags.order, {{"decimate-first", McsdOrder::DecimateFirst}, {"smooth-first", McsdOrder::SmoothFirst}});
   parameters.simplify = simplifyTargetOf(flags.simplify);
-  std::vector<ReconstructionParameters> sets;
-  for (const int depth : depthsOf(flags.depths)) {
-    parameters.psr.depth = depth;
-    parameters.validate();
-    sets.push_back(parameters);
-    if (parameters.method == Method::Mcsd) {
-      break;
-    }
+  std::vector<ParameterSet> sets =
+      parameters.method == Method::Psr ? psrSets(parameters, flags.depths) : mcsdSets(parameters, flags);
+  for (const ParameterSet& set : sets) {
+    set.parameters.validate();
   }
   return sets;
 }

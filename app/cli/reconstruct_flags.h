@@ -11,7 +11,10 @@ namespace glisson::cli {
 
 struct ReconstructFlags {
   std::string method = "psr";
-  std::string depths = "7";  ///< one or several, comma separated
+  // One value or several, comma separated.
+  std::string depths = "7";  ///< numbers or "auto"
+  std::string smoothings = "10";
+  std::string decimations = "0.25";
   std::string sampling = "unbiased";
   std::string filter = "sinc";
   std::string order = "decimate-first";
@@ -20,7 +23,13 @@ struct ReconstructFlags {
 };
 
 void addReconstructFlags(CLI::App& command, ReconstructFlags& flags);
-/// One set of parameters per depth (MCSD: one), each validated. Throws UsageError, also where a flag belongs to the other method.
-std::vector<ReconstructionParameters> parametersOf(const CLI::App& command, const ReconstructFlags& flags);
+/// One surface to make, and what its file is called behind OUT: "_d6", "_s22_e10"; empty where it is the only one.
+struct ParameterSet {
+  ReconstructionParameters parameters;
+  std::string suffix;
+};
+/// A set per depth (psr), or per decimation and smoothing (mcsd), each validated. Throws UsageError, also where a flag belongs to
+/// the other method.
+std::vector<ParameterSet> parametersOf(const CLI::App& command, const ReconstructFlags& flags);
 
 }  // namespace glisson::cli

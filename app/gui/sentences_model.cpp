@@ -69,6 +69,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"nnn", QT_TRANSLATE_NOOP("Sentence", "%1 of %2 self-intersections of smoothing undone by moving %3 vertices")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "PSR d=%1 paper")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "PSR d=%1 unbiased")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "PSR d=auto paper")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "PSR d=auto unbiased")},
     {"sn", QT_TRANSLATE_NOOP("Sentence", "%1 screened %2")},
     {"sn", QT_TRANSLATE_NOOP("Sentence", "MCSD %1 decimation %2 %")},
     {"", QT_TRANSLATE_NOOP("Sentence", "unsmoothed")},

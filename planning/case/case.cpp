@@ -160,7 +160,7 @@ Structure buildStructure(const Case& source, const Structure& structure, const E
   const ImageGeometry& geometry = source.segmentation->geometry;
   ReconstructionParameters parameters = ReconstructionParameters::defaultsFor(structure.kind);
   Reconstruction made = reconstruct(mask, geometry, structure.kind, parameters, context.range(0.0, 0.7));
-  if (parameters.method == Method::Psr) {  // reconstruct() counts them for smoothed MCSD meshes only
+  if (parameters.method == Method::Psr) {  // reconstruct() counts them for MCSD meshes only
     made.defects.selfIntersections = countSelfIntersections(made.mesh, context.range(0.7, 1.0));
   } else if (made.defects.any()) {
     // vtkDecimatePro does not look at the triangles around: without it the same surface is sound and can be exported.

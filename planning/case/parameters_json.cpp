@@ -36,7 +36,7 @@ std::optional<SimplifyTarget> simplifyFromJson(const Json& json) {
 
 Json parametersJson(const ReconstructionParameters& p) {
   return {{"method", p.method == Method::Psr ? "psr" : "mcsd"},
-          {"depth", p.psr.depth},
+          {"depth", p.autoDepth ? Json("auto") : Json(p.psr.depth)},
           {"sampling", p.psr.sampling == Sampling::Paper ? "paper" : "unbiased"},
           {"pointWeight", p.psr.pointWeight},
           {"scale", p.psr.scale},
@@ -51,7 +51,10 @@ Json parametersJson(const ReconstructionParameters& p) {
 ReconstructionParameters parametersFromJson(const Json& json) {
   ReconstructionParameters p;
   p.method = json.at("method") == "psr" ? Method::Psr : Method::Mcsd;
-  p.psr.depth = json.at("depth");
+  p.autoDepth = json.at("depth") == "auto";
+  if (!p.autoDepth) {
+    p.psr.depth = json.at("depth");
+  }
   p.psr.sampling = json.at("sampling") == "paper" ? Sampling::Paper : Sampling::Unbiased;
   p.psr.pointWeight = json.at("pointWeight");
   p.psr.scale = json.at("scale");

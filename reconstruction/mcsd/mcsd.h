@@ -5,6 +5,9 @@
 // One deviation from the reference chain: inside is 201, not 200. At 100.5 between 0 and 200 the surface lies 0.0025 voxel inside
 // the voxels' faces (0.004 mm at 1.6 mm slices); between 0 and 201 it lies on them. The triangles are the same ones.
 
+#include <functional>
+#include <span>
+
 #include "reconstruction/execution_context.h"
 #include "reconstruction/image/mask.h"
 #include "reconstruction/mesh/surface_mesh.h"
@@ -25,6 +28,7 @@ struct McsdParameters {
   void validate() const;
 };
 
+/// The seconds are those of the stages that led to this mesh; a stage that several meshes of a sweep share counts in each.
 struct McsdResult {
   SurfaceMesh mesh;
   double extractSeconds = 0.0;  ///< marching cubes
@@ -36,5 +40,16 @@ struct McsdResult {
 /// at most 2 s). Throws ReconstructionError on an empty mask.
 McsdResult reconstructMcsd(const Mask& mask, const ImageGeometry& geometry, const McsdParameters& parameters,
                            const ExecutionContext& context = {});
+
+/// Takes the mesh of set number `set`; `share` is its part of the sweep's progress, for what the visitor computes of it. Called on
+/// several threads at once, in no fixed order.
+using McsdVisitor = std::function<void(std::size_t set, McsdResult result, const ExecutionContext& share)>;
+
+/// reconstructMcsd() of every set of parameters, the same bytes, with what they have in common computed once: the marching cubes,
+/// each decimation (DecimateFirst), each smoothing (SmoothFirst), and the first iterations of longer Laplacian smoothings. Works on
+/// as many sets at once as there are threads and keeps nothing of a set that the visitor has taken: memory is that of a few meshes
+/// per thread. The first exception of a visitor ends the sweep and is thrown here.
+void sweepMcsd(const Mask& mask, const ImageGeometry& geometry, std::span<const McsdParameters> sets, const McsdVisitor& visit,
+               const ExecutionContext& context = {});
 
 }  // namespace glisson

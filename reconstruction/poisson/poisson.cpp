@@ -3,6 +3,7 @@
 #include "reconstruction/poisson/poisson.h"
 
 #include <chrono>
+#include <stdexcept>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/poisson/extraction.h"
@@ -40,7 +41,7 @@ Frame chooseFrame(const OrientedPoints& points, const ImageGeometry& geometry, c
   frame.corner = 0.5 * (low + high) - Vec3::Constant(0.5 * side);
   frame.depth = parameters.depth;
   // A cell far below the sample spacing would tear small bodies apart [method.md 2].
-  while (frame.depth > poisson::kCoarsestLevel && side / (1 << frame.depth) < 0.5 * geometry.spacing.minCoeff()) {
+  while (frame.depth > poisson::kCoarsestLevel && side / (1 << frame.depth) < parameters.finestCell * geometry.spacing.minCoeff()) {
     --frame.depth;
   }
   frame.cellMm = side / (1 << frame.depth);
@@ -128,6 +129,9 @@ void PoissonParameters::validate() const {
   }
   if (!(scale > 1.0 && scale <= 4.0)) {
     throw UsageError("The scale must be above 1 and at most 4, not " + formatNumber(scale, 3) + ".");
+  }
+  if (!(finestCell >= 0.5) || !std::isfinite(finestCell)) {
+    throw std::invalid_argument("PoissonParameters::finestCell is below half a voxel");
   }
 }
 

@@ -33,14 +33,15 @@ struct PoissonParameters {
   Sampling sampling = Sampling::Unbiased;
   double pointWeight = 0.0;  ///< screening; 0 is the paper's method
   double scale = 1.1;        ///< cube side / largest extent of the samples
+  double finestCell = 0.5;   ///< least side of a cell over the smallest spacing: a depth with finer cells is lowered
 
-  /// Throws UsageError outside depth 5..10, pointWeight >= 0, 1.0 < scale <= 4.
+  /// Throws UsageError outside depth 5..10, pointWeight >= 0, 1.0 < scale <= 4; std::invalid_argument where finestCell < 0.5.
   void validate() const;
 };
 
 struct PoissonResult {
   SurfaceMesh mesh;
-  int usedDepth = 0;  ///< less than asked where a cell would be below half the smallest spacing
+  int usedDepth = 0;  ///< less than asked where a cell would be below finestCell
   double cellMm = 0.0;
   std::size_t samples = 0;
   double sampleSeconds = 0.0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <random>
 
@@ -200,6 +201,104 @@ TEST(Reconstruct, ThirtyLumpyBodiesAreSoundAndWithoutSelfIntersectionsByTheDefau
     EXPECT_EQ(made.defects.names(), std::vector<std::string>{}) << trial;
     EXPECT_EQ(countSelfIntersections(made.mesh), 0U) << trial;
   }
+}
+
+TEST(Reconstruct, NamesEveryInvariantThatDecimationBreaksAndHowOften) {
+  std::mt19937 random(2016);
+  std::size_t manifoldLost = 0;
+  std::size_t crossed = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Index3 size{10, 9, 11};
+    std::vector<std::uint8_t> values(990);
+    for (auto& v : values) {
+      v = random() % 100 < 25 ? 1 : 0;
+    }
+    Body noise{Mask::fromGrid(size, values), {}};
+    noise.geometry.size = size;
+    for (const int smoothing : {0, 10}) {
+      const Reconstruction made = reconstruct(noise.mask, noise.geometry, StructureKind::Tumour, mcsd(smoothing, 0.9));
+      // Counted another way: by a map of undirected edges.
+      std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> uses;
+      for (const Triangle& t : made.mesh.triangles) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          ++uses[std::minmax(t[c], t[(c + 1) % 3])];
+        }
+      }
+      const auto edges =
+          static_cast<std::size_t>(std::count_if(uses.begin(), uses.end(), [](const auto& u) { return u.second > 2; }));
+      EXPECT_EQ(made.defects.nonManifoldEdges, edges) << trial;
+      EXPECT_EQ(made.defects.selfIntersections, countSelfIntersections(made.mesh)) << trial;
+      const std::string text =
+          "edge: " + std::to_string(edges) + (edges == 1 ? " edge is not manifold" : " edges are not manifold");
+      EXPECT_EQ(anyContains(made.defects.names(), text), edges > 0) << trial;
+      EXPECT_EQ(anyContains(made.defects.names(), "self-intersection: "), made.defects.selfIntersections > 0) << trial;
+      manifoldLost += edges > 0 ? 1 : 0;
+      crossed += made.defects.selfIntersections > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(manifoldLost, 0U);
+  EXPECT_GT(crossed, 0U);
+}
+
+TEST(Reconstruct, EverySetOfAListIsMadeAsByItself) {
+  const Body ball = ballsOf({48, 30, 30}, {{{15, 15, 15}, 10}, {{32, 15, 15}, 8.5}});
+  std::vector<ReconstructionParameters> sets{mcsd(10, 0.25), ReconstructionParameters(), mcsd(22, 0.5, SmoothingFilter::Laplacian),
+                                             mcsd(45, 0.5, SmoothingFilter::Laplacian), mcsd(0, 0.5)};
+  sets[1].psr.depth = 6;
+  sets[1].simplify = SimplifyTarget{.triangles = 1000};
+  sets[2].simplify = SimplifyTarget{.triangles = 500};
+  std::vector<Reconstruction> all(sets.size());
+  reconstructEach(ball.mask, ball.geometry, StructureKind::PortalVein, sets,
+                  [&](std::size_t n, Reconstruction made) { all[n] = std::move(made); });
+  for (std::size_t n = 0; n < sets.size(); ++n) {
+    const Reconstruction one = reconstruct(ball.mask, ball.geometry, StructureKind::PortalVein, sets[n]);
+    EXPECT_EQ(all[n].parameters.describe(), sets[n].describe());
+    EXPECT_EQ(all[n].mesh.vertices, one.mesh.vertices) << n;
+    EXPECT_EQ(all[n].mesh.triangles, one.mesh.triangles) << n;
+    EXPECT_EQ(all[n].notes, one.notes) << n;
+    EXPECT_EQ(all[n].deviations, one.deviations) << n;
+    EXPECT_EQ(all[n].centrelineInside, one.centrelineInside) << n;
+    EXPECT_EQ(all[n].usedDepth, one.usedDepth) << n;
+  }
+}
+
+TEST(Reconstruct, TheAutomaticDepthHasCellsFromFourToEightFifthsOfTheSmallestSpacing) {
+  ReconstructionParameters automatic;
+  automatic.autoDepth = true;
+  automatic.psr.depth = 5;  // not looked at
+  EXPECT_EQ(automatic.describe(), "PSR d=auto unbiased");
+  for (const int length : {40, 60, 90, 130}) {  // cells halve from one depth to the next; the lengths do not double
+    const Body rod = ballsOf({length, 12, 12}, {{{6, 6, 6}, 3}, {{length - 6.0, 6, 6}, 3}});
+    const PoissonResult made = reconstructPoisson(rod.mask, rod.geometry, automatic.usedPsr());
+    EXPECT_GE(made.cellMm, 0.8 * 0.8) << length;
+    EXPECT_LT(made.cellMm, 1.6 * 0.8) << length;
+    const Reconstruction checked = reconstruct(rod.mask, rod.geometry, StructureKind::PortalVein, automatic);
+    EXPECT_EQ(checked.usedDepth, made.usedDepth);
+    EXPECT_FALSE(anyContains(checked.notes, "used instead of"));
+    ReconstructionParameters asked;
+    asked.psr.depth = made.usedDepth;
+    EXPECT_EQ(reconstruct(rod.mask, rod.geometry, StructureKind::PortalVein, asked).mesh.vertices, checked.mesh.vertices);
+  }
+}
+
+TEST(Reconstruct, AThinTreeKeepsItsBranchesByTheAutomaticDepthWithScreening) {
+  std::vector<Ball> tree;
+  for (int n = 0; n < 100; ++n) {
+    tree.push_back({{6.0 + n, 40.0, 40.0}, 4.0 - 0.025 * n});
+    tree.push_back({{40.0 + 0.5 * n, 40.0 + 0.3 * n, 40.0 + 0.2 * n}, 1.6});
+    tree.push_back({{30.0 + 0.4 * n, 40.0 - 0.35 * n, 40.0 - 0.3 * n}, 1.4});
+  }
+  const Body vessel = ballsOf({110, 80, 70}, tree);
+  ReconstructionParameters automatic;
+  automatic.autoDepth = true;
+  automatic.psr.pointWeight = 16;
+  automatic.simplify = SimplifyTarget{.distanceMm = 0.16};
+  const Reconstruction made = reconstruct(vessel.mask, vessel.geometry, StructureKind::PortalVein, automatic);
+  EXPECT_EQ(made.defects.names(), std::vector<std::string>{});
+  EXPECT_EQ(made.meshComponents, 1U);
+  EXPECT_GE(*made.centrelineInside, 0.99);
+  EXPECT_LT(std::abs(made.volumeDeviation()), 0.02);
+  EXPECT_EQ(made.deviations, std::vector<std::string>{});
 }
 
 TEST(Reconstruct, AnEmptyMaskAndSenselessParametersAreRefused) {
