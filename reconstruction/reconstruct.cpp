@@ -70,8 +70,8 @@ void simplifyMesh(Reconstruction& made, const ExecutionContext& context) {
 }
 
 /// What follows the surface, by either method: the last 15 % of a set's progress.
-void check(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm, Reconstruction& made,
-           const ExecutionContext& context) {
+void check(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm, std::optional<MaskFacts>& facts,
+           Reconstruction& made, const ExecutionContext& context) {
   context.report(0.85, "checks");
   const Stopwatch watch;
   removeSelfIntersections(made, context);
@@ -79,7 +79,7 @@ void check(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, 
     simplifyMesh(made, context.range(0.88, 0.95));
   }
   context.report(0.95, "checks");
-  checkAgainstMask(mask, geometry, kind, psrCellMm, made, context);
+  checkAgainstMask(mask, geometry, kind, psrCellMm, facts, made, context);
   made.seconds.check = watch.seconds() - made.seconds.simplify;
   context.report(1.0, "checks");
 }
@@ -151,11 +151,16 @@ Reconstruction reconstruct(const Mask& mask, const ImageGeometry& geometry, Stru
 void reconstructEach(const Mask& mask, const ImageGeometry& geometry, StructureKind kind,
                      std::span<const ReconstructionParameters> sets, const ReconstructionVisitor& visit,
                      const ExecutionContext& context) {
+  std::vector<PoissonParameters> psrSets;
+  std::vector<std::size_t> psrPlaces;
   std::vector<McsdParameters> mcsdSets;
   std::vector<std::size_t> mcsdPlaces;
   for (std::size_t n = 0; n < sets.size(); ++n) {
     sets[n].validate();
-    if (sets[n].method == Method::Mcsd) {
+    if (sets[n].method == Method::Psr) {
+      psrSets.push_back(sets[n].usedPsr());
+      psrPlaces.push_back(n);
+    } else {
       mcsdSets.push_back(sets[n].mcsd);
       mcsdPlaces.push_back(n);
     }
@@ -163,28 +168,30 @@ void reconstructEach(const Mask& mask, const ImageGeometry& geometry, StructureK
   if (mask.empty()) {
     throw ReconstructionError("The mask is empty, so there is no surface to make; choose another structure.");
   }
-  const double step = 1.0 / static_cast<double>(sets.size());
-  double done = 0.0;
-  for (std::size_t n = 0; n < sets.size(); ++n) {
-    if (sets[n].method == Method::Psr) {
-      Reconstruction made;
-      made.parameters = sets[n];
-      const ExecutionContext part = context.range(done, done + step);
-      const double cellMm = take(reconstructPoisson(mask, geometry, sets[n].usedPsr(), part.range(0.0, 0.85)), made);
-      check(mask, geometry, kind, cellMm, made, part);
-      visit(n, std::move(made));
-      done += step;
-    }
+  std::optional<MaskFacts> facts;  // of the mask alone: found once for all sets
+  const double psrShare = static_cast<double>(psrSets.size()) / static_cast<double>(sets.size());
+  const auto takePsr = [&](std::size_t n, PoissonResult result, const ExecutionContext& part) {
+    Reconstruction made;
+    made.parameters = sets[psrPlaces[n]];
+    const double cellMm = take(std::move(result), made);
+    check(mask, geometry, kind, cellMm, facts, made, part);
+    visit(psrPlaces[n], std::move(made));
+  };
+  if (!psrSets.empty()) {
+    reconstructPoissonEach(mask, geometry, psrSets, takePsr, context.range(0.0, psrShare));
   }
   const auto takeMcsd = [&](std::size_t n, McsdResult result, const ExecutionContext& part) {
     Reconstruction made;
     made.parameters = sets[mcsdPlaces[n]];
     take(std::move(result), made);
-    check(mask, geometry, kind, 0.0, made, part);
+    check(mask, geometry, kind, 0.0, facts, made, part);
     visit(mcsdPlaces[n], std::move(made));
   };
   if (!mcsdSets.empty()) {
-    sweepMcsd(mask, geometry, mcsdSets, takeMcsd, context.range(done, 1.0));
+    if (!facts) {
+      facts = factsOf(mask, kind, context);
+    }
+    sweepMcsd(mask, geometry, mcsdSets, takeMcsd, context.range(psrShare, 1.0));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "reconstruction/mesh/inside_rows.h"
 #include "reconstruction/mesh/mask_pieces.h"
 #include "reconstruction/mesh/union_find.h"
+#include "reconstruction/parallel.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -86,7 +87,8 @@ std::vector<std::size_t> insideOf(const Pieces& pieces, const InsideRows& rows) 
   return inside;
 }
 
-void checkPieces(const Mask& mask, const Pieces& pieces, const InsideRows& rows, Reconstruction& made) {
+void checkPieces(const MaskFacts& facts, const InsideRows& rows, Reconstruction& made) {
+  const Pieces& pieces = facts.pieces;
   const auto inside = insideOf(pieces, rows);
   std::vector<std::size_t> lost;
   for (std::size_t n = 0; n < pieces.count(); ++n) {
@@ -102,15 +104,13 @@ void checkPieces(const Mask& mask, const Pieces& pieces, const InsideRows& rows,
       made.deviations.push_back(counted(lost.size(), "piece", "pieces") + " lost: " + voxelList(lost));
     }
   }
-  const std::size_t joinedByFaces = piecesOf(mask, Neighbours::Six).count();
-  if (made.meshComponents < pieces.count() || made.meshComponents > joinedByFaces) {
+  if (made.meshComponents < pieces.count() || made.meshComponents > facts.joinedByFaces) {
     made.notes.push_back(counted(made.meshComponents, "piece", "pieces") + " in the mesh, " + std::to_string(pieces.count()) +
                          " in the mask");
   }
 }
 
-void checkCavities(const Mask& mask, const InsideRows& rows, std::size_t innerWalls, Reconstruction& made) {
-  const Pieces cavities = cavitiesOf(mask, Neighbours::Six);
+void checkCavities(const Mask& mask, const Pieces& cavities, const InsideRows& rows, std::size_t innerWalls, Reconstruction& made) {
   const auto inside = insideOf(cavities, rows);
   std::vector<std::size_t> lost;
   for (std::size_t n = 0; n < cavities.count(); ++n) {
@@ -132,9 +132,8 @@ void checkCavities(const Mask& mask, const InsideRows& rows, std::size_t innerWa
   }
 }
 
-void checkEuler(const Mask& mask, Reconstruction& made) {
+void checkEuler(const EulerNumbers& euler, Reconstruction& made) {
   const long long ofMesh = closedEuler(made.mesh);
-  const EulerNumbers euler = eulerNumbers(mask);
   const auto [least, most] = std::minmax({euler.facesEdgesCorners, euler.facesEdges, euler.faces, euler.facesAsCubes});
   if (ofMesh < 2 * least || ofMesh > 2 * most) {
     made.notes.push_back("Euler number " + std::to_string(ofMesh) + ", the mask's " + std::to_string(2 * least) +
@@ -180,23 +179,71 @@ void noteThinPieces(const Mask& mask, const ImageGeometry& geometry, const Piece
   }
 }
 
-void checkCentreline(const Mask& mask, const InsideRows& rows, Reconstruction& made, const ExecutionContext& context) {
-  const auto line = centrelineOf(mask, context);
+void checkCentreline(const std::vector<Index3>& line, const InsideRows& rows, Reconstruction& made) {
   const auto inside = std::count_if(line.begin(), line.end(), [&](const Index3& v) { return rows.isInside(v[0], v[1], v[2]); });
   made.centrelineInside = static_cast<double>(inside) / static_cast<double>(line.size());
   if (*made.centrelineInside < kCentrelineShare) {
     made.notes.push_back("only " + formatNumber(100.0 * *made.centrelineInside, 1) + " % of the centreline lies inside the mesh");
   }
 }
+/// A mesh of a reconstruction looked at by itself.
+struct MeshFacts {
+  MeshDefects defects;
+  Walls walls;
+  std::optional<InsideRows> rows;  ///< all corners of a reconstruction's triangles are vertices, so this works on open ones too
+};
+
+/// Mask and mesh side by side: most of it runs on one thread each.
+MeshFacts lookAt(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, const SurfaceMesh& mesh,
+                 std::optional<MaskFacts>& facts, const ExecutionContext& context) {
+  MeshFacts found;
+  std::optional<MaskFacts> fresh;
+  parallelFor(4, 1, [&](std::size_t task, std::size_t) {
+    context.throwIfCancelled();
+    if (task == 0) {
+      found.defects = mesh.defects();
+    } else if (task == 1 && !facts) {
+      fresh = factsOf(mask, kind, context);
+    } else if (task == 2 && !mesh.triangles.empty()) {
+      found.walls = wallsOf(mesh);
+    } else if (task == 3 && !mesh.triangles.empty()) {
+      found.rows.emplace(mesh, geometry);
+    }
+  });
+  if (fresh) {
+    facts = std::move(fresh);
+  }
+  return found;
+}
 }  // namespace
 
-void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm, Reconstruction& made,
-                      const ExecutionContext& context) {
+MaskFacts factsOf(const Mask& mask, StructureKind kind, const ExecutionContext& context) {
+  MaskFacts facts;
+  parallelFor(5, 1, [&](std::size_t task, std::size_t) {
+    context.throwIfCancelled();
+    if (task == 0) {
+      facts.pieces = piecesOf(mask, Neighbours::TwentySix);
+    } else if (task == 1) {
+      facts.joinedByFaces = piecesOf(mask, Neighbours::Six).count();
+    } else if (task == 2) {
+      facts.cavities = cavitiesOf(mask, Neighbours::Six);
+    } else if (task == 3) {
+      facts.euler = eulerNumbers(mask);
+    } else if (isVessel(kind)) {
+      facts.centreline = centrelineOf(mask, context);
+    }
+  });
+  return facts;
+}
+
+void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm,
+                      std::optional<MaskFacts>& facts, Reconstruction& made, const ExecutionContext& context) {
+  const MeshFacts found = lookAt(mask, geometry, kind, made.mesh, facts, context);
   const std::size_t selfIntersections = made.defects.selfIntersections;
-  made.defects = made.mesh.defects();
+  made.defects = found.defects;
   made.defects.selfIntersections = selfIntersections;
   made.voxelVolumeMl = static_cast<double>(mask.count()) * geometry.voxelVolumeMm3() * kMlPerMm3;
-  const Pieces pieces = piecesOf(mask, Neighbours::TwentySix);
+  const Pieces& pieces = facts->pieces;
   made.maskComponents = pieces.count();
   if (mask.touchesBorder(geometry.size)) {
     made.notes.emplace_back("touches the border of the image and is cut off there");
@@ -221,15 +268,13 @@ void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, Structure
     made.meshComponents = count;
   } else {
     made.meshVolumeMl = signedVolumeMm3(made.mesh) * kMlPerMm3;
-    const Walls walls = wallsOf(made.mesh);
-    made.meshComponents = walls.outer;
+    made.meshComponents = found.walls.outer;
     context.throwIfCancelled();
-    const InsideRows rows(made.mesh, geometry);
-    checkPieces(mask, pieces, rows, made);
-    checkCavities(mask, rows, walls.inner, made);
-    checkEuler(mask, made);
+    checkPieces(*facts, *found.rows, made);
+    checkCavities(mask, facts->cavities, *found.rows, found.walls.inner, made);
+    checkEuler(facts->euler, made);
     if (isVessel(kind)) {
-      checkCentreline(mask, rows, made, context);
+      checkCentreline(facts->centreline, *found.rows, made);
     }
   }
   if (std::abs(made.volumeDeviation()) > allowedVolumeDeviation(kind, made.voxelVolumeMl)) {

@@ -7,6 +7,7 @@
 // wherever they lie between those of the ways in which voxels can be joined (EulerNumbers). A piece is lost where none of its voxel
 // centres is inside the mesh, a cavity where all are.
 
+#include "reconstruction/mesh/mask_pieces.h"
 #include "reconstruction/reconstruct.h"
 
 namespace glisson {
@@ -16,9 +17,19 @@ inline constexpr std::size_t kPieceThatMatters = 8;
 /// A centreline of which less than this lies inside the mesh is noted.
 inline constexpr double kCentrelineShare = 0.98;
 
+/// What is known of a mask alone: computed once for all meshes made of it.
+struct MaskFacts {
+  Pieces pieces;                  ///< joined by 26
+  std::size_t joinedByFaces = 0;  ///< pieces joined by 6
+  Pieces cavities;                ///< of a background joined by 6
+  EulerNumbers euler;
+  std::vector<Index3> centreline;  ///< vessels only
+};
+MaskFacts factsOf(const Mask& mask, StructureKind kind, const ExecutionContext& context = {});
+
 /// Fills defects, volumes, components, centreline, notes and deviations of `made` from its mesh. `psrCellMm` is the side of a PSR
-/// cell (0 for MCSD). Polls cancel between checks.
-void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm, Reconstruction& made,
-                      const ExecutionContext& context = {});
+/// cell (0 for MCSD). `facts` are filled where they are empty. Polls cancel between checks.
+void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm,
+                      std::optional<MaskFacts>& facts, Reconstruction& made, const ExecutionContext& context = {});
 
 }  // namespace glisson

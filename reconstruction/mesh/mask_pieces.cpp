@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "reconstruction/mesh/union_find.h"
+#include "reconstruction/wide.h"
 
 namespace glisson {
 
@@ -223,7 +224,7 @@ Pieces cavitiesOf(const Mask& mask, Neighbours neighbours) {
   return cavities;
 }
 
-EulerNumbers eulerNumbers(const Mask& mask) {
+GLISSON_WIDE EulerNumbers eulerNumbers(const Mask& mask) {
   EulerNumbers euler;
   if (mask.empty()) {
     return euler;

@@ -5,7 +5,10 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "reconstruction/poisson/field.h"
 
 namespace glisson::poisson {
 
@@ -15,7 +18,6 @@ inline constexpr int kHalo = kBlock + 2;  ///< nodes -1..8 of a block
 inline constexpr std::size_t kHaloNodes = 1000;
 
 using Coord = std::array<int, 3>;
-using Field = std::vector<float>;
 using Halo = std::array<float, kHaloNodes>;
 
 class BlockGrid {
@@ -37,6 +39,8 @@ class BlockGrid {
     return slots_[linear(block)];
   }
   [[nodiscard]] const Coord& coord(std::size_t slot) const { return coords_[slot]; }
+  /// Numbers of the 27 blocks around an active block, (di + 1) + 3 (dj + 1) + 9 (dk + 1); itself is the 14th.
+  [[nodiscard]] std::span<const std::int32_t, 27> around(std::size_t slot) const { return around_[slot]; }
 
   void mark(const Coord& block);  ///< outside the cube: ignored
   void markAll();
@@ -61,6 +65,7 @@ class BlockGrid {
   int side_;
   std::vector<std::int32_t> slots_;  ///< -1 not active, -2 marked
   std::vector<Coord> coords_;
+  std::vector<std::array<std::int32_t, 27>> around_;
 };
 
 inline std::size_t haloIndex(int i, int j, int k) {

@@ -3,30 +3,14 @@
 // Finds X minimising ||grad X - V|| over trilinear B-splines on nested grids of 2^depth cells a side, then extracts X = iso.
 // Frame: mm LPS in and out. Same bytes for any number of threads. Cancel is polled at least every 100 ms of work.
 
+#include <functional>
+#include <span>
 #include <vector>
 
-#include "reconstruction/execution_context.h"
-#include "reconstruction/image/mask.h"
 #include "reconstruction/mesh/surface_mesh.h"
+#include "reconstruction/poisson/samples.h"
 
 namespace glisson {
-
-enum class Sampling : std::uint8_t {
-  Paper,     ///< inside-surface voxel centres, weighted by local density: biased half a voxel inward
-  Unbiased,  ///< centres of the faces between inside and outside voxels
-};
-
-/// Boundary samples of a mask: position mm LPS, unit outward normal, weight mm^2 (Paper: 1 each).
-struct OrientedPoints {
-  std::vector<Vec3> positions;
-  std::vector<Vec3> normals;
-  std::vector<double> weights;
-};
-
-/// method.md 1. The mask is padded by one voxel of background. Throws ReconstructionError on an empty mask and where
-/// Paper finds no voxel with a gradient (single voxels have none).
-OrientedPoints sampleBoundary(const Mask& mask, const ImageGeometry& geometry, Sampling sampling,
-                              const ExecutionContext& context = {});
 
 struct PoissonParameters {
   int depth = 7;  ///< 5..10
@@ -51,5 +35,14 @@ struct PoissonResult {
 
 PoissonResult reconstructPoisson(const Mask& mask, const ImageGeometry& geometry, const PoissonParameters& parameters,
                                  const ExecutionContext& context = {});
+
+/// Takes the result of set number `set`; `part` is the set's share of the progress, of which 0.85 is done.
+using PoissonVisitor = std::function<void(std::size_t set, PoissonResult result, const ExecutionContext& part)>;
+
+/// The same mask by several sets of parameters, from one set of samples: the same bytes as one by one, several depths in little
+/// more than the time of the deepest [Palomar 2016, 5.3]. Calls finished() in their order, as each is done; the first one's
+/// sampleSeconds hold what they share.
+void reconstructPoissonEach(const Mask& mask, const ImageGeometry& geometry, std::span<const PoissonParameters> sets,
+                            const PoissonVisitor& finished, const ExecutionContext& context = {});
 
 }  // namespace glisson

@@ -1,10 +1,13 @@
 // Oriented boundary samples of a mask [Palomar 2016, 2.1; method.md 1].
+#include "reconstruction/poisson/samples.h"
+
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <memory>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/parallel.h"
-#include "reconstruction/poisson/poisson.h"
 
 namespace glisson {
 
@@ -18,16 +21,20 @@ class PaddedMask {
       size_[a] = mask.box().size[a] + 2 * kPad;
       first_[a] = mask.box().first[a] - kPad;
     }
-    values_.assign(IndexBox{first_, size_}.voxelCount(), 0);
+    values_ = std::make_unique_for_overwrite<std::uint8_t[]>(IndexBox{first_, size_}.voxelCount());
     const auto source = mask.values();
-    const std::size_t row = static_cast<std::size_t>(mask.box().size[0]);
-    std::size_t n = 0;
-    for (int k = 0; k < mask.box().size[2]; ++k) {
-      for (int j = 0; j < mask.box().size[1]; ++j, n += row) {
-        std::copy_n(source.begin() + static_cast<std::ptrdiff_t>(n), row,
-                    values_.begin() + static_cast<std::ptrdiff_t>(offset(kPad, j + kPad, k + kPad)));
+    const Index3& inner = mask.box().size;
+    const auto row = static_cast<std::size_t>(inner[0]);
+    parallelFor(static_cast<std::size_t>(size_[2]), 4, [&](std::size_t begin, std::size_t end) {
+      for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+        std::fill(values_.get() + offset(0, 0, k), values_.get() + offset(0, 0, k + 1), std::uint8_t{0});
+        for (int j = 0; j < inner[1] && k >= kPad && k < inner[2] + kPad; ++j) {
+          const std::size_t from =
+              row * (static_cast<std::size_t>(j) + static_cast<std::size_t>(inner[1]) * static_cast<std::size_t>(k - kPad));
+          std::copy_n(source.data() + from, row, values_.get() + offset(kPad, j + kPad, k));
+        }
       }
-    }
+    });
   }
 
   static constexpr int kPad = 2;
@@ -36,7 +43,7 @@ class PaddedMask {
            static_cast<std::size_t>(size_[0]) *
                (static_cast<std::size_t>(j) + static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(k));
   }
-  [[nodiscard]] const std::uint8_t* data() const { return values_.data(); }
+  [[nodiscard]] const std::uint8_t* data() const { return values_.get(); }
   [[nodiscard]] const Index3& size() const { return size_; }
   [[nodiscard]] const Index3& first() const { return first_; }
 
@@ -47,8 +54,8 @@ class PaddedMask {
     for (std::size_t a = 0; a < 3; ++a) {
       const std::ptrdiff_t b = step[(a + 1) % 3];
       const std::ptrdiff_t c = step[(a + 2) % 3];
-      const std::uint8_t* low = values_.data() + at - step[a];
-      const std::uint8_t* high = values_.data() + at + step[a];
+      const std::uint8_t* low = values_.get() + at - step[a];
+      const std::uint8_t* high = values_.get() + at + step[a];
       gradient[a] = smooth(low, b, c) - smooth(high, b, c);
     }
     return gradient;
@@ -65,7 +72,7 @@ class PaddedMask {
 
   Index3 size_{};
   Index3 first_{};
-  std::vector<std::uint8_t> values_;
+  std::unique_ptr<std::uint8_t[]> values_;
 };
 
 Vec3 toWorldDirection(const std::array<int, 3>& gradient, const ImageGeometry& geometry) {
@@ -73,38 +80,66 @@ Vec3 toWorldDirection(const std::array<int, 3>& gradient, const ImageGeometry& g
          Vec3(gradient[0] / geometry.spacing[0], gradient[1] / geometry.spacing[1], gradient[2] / geometry.spacing[2]);
 }
 
+std::uint64_t eightBytes(const std::uint8_t* p) {
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, p, sizeof(bytes));
+  return bytes;
+}
+
+/// How many voxels from `at` on, at most `left`, can have no `paper` point, looked at in eights: all outside, or inside with
+/// neighbours that are all inside.
+std::size_t withoutPaperPoint(const std::uint8_t* data, std::size_t at, std::size_t left,
+                              const std::array<std::ptrdiff_t, 3>& step) {
+  constexpr std::uint64_t kAllSet = 0x0101010101010101U;
+  const auto deepInside = [&](const std::uint8_t* p) {
+    std::uint64_t all = kAllSet;
+    for (const std::ptrdiff_t row : {-step[2] - step[1], -step[2], -step[2] + step[1], -step[1], std::ptrdiff_t{0}, step[1],
+                                     step[2] - step[1], step[2], step[2] + step[1]}) {
+      all &= eightBytes(p + row - 1) & eightBytes(p + row + 1);
+    }
+    return all == kAllSet;
+  };
+  std::size_t n = 0;
+  for (; n + sizeof(std::uint64_t) <= left; n += sizeof(std::uint64_t)) {
+    const std::uint8_t* p = data + at + n;
+    const std::uint64_t here = eightBytes(p);
+    if (here != 0 && (here != kAllSet || !deepInside(p))) {
+      break;
+    }
+  }
+  return n;
+}
+
 /// The voxel centres of `paper` sampling in slice k of the padded grid.
 void sampleSlicePaper(const PaddedMask& padded, const ImageGeometry& geometry, int k, OrientedPoints& out) {
+  const auto step = padded.strides();
+  const auto* data = padded.data();
+  const int end = padded.size()[0] - 1;
   for (int j = 1; j + 1 < padded.size()[1]; ++j) {
-    for (int i = 1; i + 1 < padded.size()[0]; ++i) {
-      const std::size_t at = padded.offset(i, j, k);
-      if (padded.data()[at] == 0) {
-        continue;
+    for (int i = 1; i < end; ++i) {
+      i += static_cast<int>(withoutPaperPoint(data, padded.offset(i, j, k), static_cast<std::size_t>(end - i), step));
+      for (const int next = std::min(i + 8, end); i < next; ++i) {
+        const std::size_t at = padded.offset(i, j, k);
+        const auto gradient = data[at] == 0 ? std::array<int, 3>{} : padded.outwardGradient(at);
+        if (gradient == std::array<int, 3>{}) {
+          continue;
+        }
+        out.positions.push_back(geometry.toWorld(Vec3(i + padded.first()[0], j + padded.first()[1], k + padded.first()[2])));
+        out.normals.push_back(toWorldDirection(gradient, geometry).normalized());
+        out.weights.push_back(1.0);
       }
-      const Vec3 normal = toWorldDirection(padded.outwardGradient(at), geometry);
-      const double length = normal.norm();
-      if (length == 0) {
-        continue;
-      }
-      out.positions.push_back(geometry.toWorld(Vec3(i + padded.first()[0], j + padded.first()[1], k + padded.first()[2])));
-      out.normals.push_back(normal / length);
-      out.weights.push_back(1.0);
+      --i;
     }
   }
 }
 
 /// The end of the run of voxels from `at` on, at most `left` long, that are like their neighbours after them along every axis.
 std::size_t alikeFrom(const std::uint8_t* data, std::size_t at, std::size_t left, const std::array<std::ptrdiff_t, 3>& step) {
-  const auto eight = [](const std::uint8_t* p) {
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, p, sizeof(bytes));
-    return bytes;
-  };
   std::size_t n = 0;
   for (; n + sizeof(std::uint64_t) <= left; n += sizeof(std::uint64_t)) {
     const std::uint8_t* p = data + at + n;
-    const std::uint64_t here = eight(p);
-    if (((here ^ eight(p + step[0])) | (here ^ eight(p + step[1])) | (here ^ eight(p + step[2]))) != 0) {
+    const std::uint64_t here = eightBytes(p);
+    if (((here ^ eightBytes(p + step[0])) | (here ^ eightBytes(p + step[1])) | (here ^ eightBytes(p + step[2]))) != 0) {
       break;
     }
   }
@@ -141,9 +176,34 @@ void sampleSliceUnbiased(const PaddedMask& padded, const ImageGeometry& geometry
         out.positions.push_back(geometry.toWorld(centre));
         out.normals.push_back(normal);
         out.weights.push_back(volume / geometry.spacing[a] * normal.dot(axis));
+        out.axes.push_back(static_cast<std::uint8_t>(a));
       }
     }
   }
+}
+
+/// All pieces' points, in the order of the pieces.
+OrientedPoints joined(const std::vector<OrientedPoints>& pieces) {
+  std::vector<std::size_t> first(pieces.size() + 1, 0);
+  for (std::size_t n = 0; n < pieces.size(); ++n) {
+    first[n + 1] = first[n] + pieces[n].positions.size();
+  }
+  OrientedPoints all;
+  all.positions.resize(first.back());
+  all.normals.resize(first.back());
+  all.weights.resize(first.back());
+  all.axes.resize(std::any_of(pieces.begin(), pieces.end(), [](const auto& piece) { return !piece.axes.empty(); }) ? first.back()
+                                                                                                                   : 0);
+  parallelFor(pieces.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto to = static_cast<std::ptrdiff_t>(first[n]);
+      std::copy(pieces[n].positions.begin(), pieces[n].positions.end(), all.positions.begin() + to);
+      std::copy(pieces[n].normals.begin(), pieces[n].normals.end(), all.normals.begin() + to);
+      std::copy(pieces[n].weights.begin(), pieces[n].weights.end(), all.weights.begin() + to);
+      std::copy(pieces[n].axes.begin(), pieces[n].axes.end(), all.axes.begin() + to);
+    }
+  });
+  return all;
 }
 
 }  // namespace
@@ -165,23 +225,44 @@ OrientedPoints sampleBoundary(const Mask& mask, const ImageGeometry& geometry, S
       }
     }
   });
-  OrientedPoints points;
-  std::size_t count = 0;
-  for (const auto& slice : slices) {
-    count += slice.positions.size();
-  }
-  if (count == 0) {  // voxels alone: the gradient at their centres is zero
+  const OrientedPoints points = joined(slices);
+  if (points.positions.empty()) {  // voxels alone: the gradient at their centres is zero
     throw ReconstructionError("No voxel of the mask has a gradient, so paper sampling finds no surface; use unbiased sampling.");
   }
-  points.positions.reserve(count);
-  points.normals.reserve(count);
-  points.weights.reserve(count);
-  for (const auto& slice : slices) {
-    points.positions.insert(points.positions.end(), slice.positions.begin(), slice.positions.end());
-    points.normals.insert(points.normals.end(), slice.normals.begin(), slice.normals.end());
-    points.weights.insert(points.weights.end(), slice.weights.begin(), slice.weights.end());
-  }
   return points;
+}
+
+OrientedPoints spreadOverFaces(const OrientedPoints& faces, const ImageGeometry& geometry, double cellMm,
+                               const ExecutionContext& context) {
+  Index3 parts{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    parts[a] = std::max(1, static_cast<int>(std::ceil(geometry.spacing[static_cast<Eigen::Index>(a)] / cellMm - 0.01)));
+  }
+  if (parts == Index3{1, 1, 1}) {
+    return faces;
+  }
+  constexpr std::size_t kPiece = 4096;
+  std::vector<OrientedPoints> pieces((faces.positions.size() + kPiece - 1) / kPiece);
+  parallelFor(pieces.size(), 1, [&](std::size_t piece, std::size_t) {
+    context.throwIfCancelled();
+    OrientedPoints& out = pieces[piece];
+    for (std::size_t n = piece * kPiece; n < std::min(faces.positions.size(), (piece + 1) * kPiece); ++n) {
+      const std::size_t u = (faces.axes[n] + 1U) % 3;
+      const std::size_t v = (faces.axes[n] + 2U) % 3;
+      const Vec3 alongU = geometry.direction.col(static_cast<Eigen::Index>(u)) * geometry.spacing[static_cast<Eigen::Index>(u)];
+      const Vec3 alongV = geometry.direction.col(static_cast<Eigen::Index>(v)) * geometry.spacing[static_cast<Eigen::Index>(v)];
+      for (int b = 0; b < parts[v]; ++b) {
+        for (int a = 0; a < parts[u]; ++a) {
+          out.positions.push_back(faces.positions[n] + ((a + 0.5) / parts[u] - 0.5) * alongU +
+                                  ((b + 0.5) / parts[v] - 0.5) * alongV);
+          out.normals.push_back(faces.normals[n]);
+          out.weights.push_back(faces.weights[n] / (parts[u] * parts[v]));
+          out.axes.push_back(faces.axes[n]);
+        }
+      }
+    }
+  });
+  return joined(pieces);
 }
 
 }  // namespace glisson

@@ -1,13 +1,15 @@
 #pragma once
 // Purpose: boundary samples as density fields on a grid: V = -sum over samples of weight * normal * phi(node) / h^3 (grad X points
 // inward), and the reverse, a field's value at each sample. Positions are in cells of the finest level, in [0, 2^depth].
+// Same sums for any number of threads. All poll cancel.
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "reconstruction/execution_context.h"
-#include "reconstruction/poisson/block_grid.h"
+#include "reconstruction/poisson/operators.h"
 #include "reconstruction/poisson/poisson.h"
 
 namespace glisson::poisson {
@@ -27,11 +29,15 @@ struct CubeSamples {
 };
 
 /// Maps samples into the cube (low corner mm, cell of the finest level mm) and sorts them.
-CubeSamples toCube(const OrientedPoints& points, const Vec3& corner, double cellMm, int depth);
+CubeSamples toCube(const OrientedPoints& points, const Vec3& corner, double cellMm, int depth, const ExecutionContext& context);
 
-/// Adds weight * normal[component] (component 3: weight 1, for densities) * factor * phi to the field. Same sums for any number of
-/// threads.
-void splat(const CubeSamples& samples, const BlockGrid& grid, int component, float factor, Field& field,
+/// A field of zeros, filled on several threads.
+Field zeroField(std::size_t nodes);
+
+/// V += factor * weight * normal * phi.
+void splatNormals(const CubeSamples& samples, const BlockGrid& grid, float factor, VectorField& v, const ExecutionContext& context);
+/// field += factor * values * phi; one value per sample.
+void splat(const CubeSamples& samples, std::span<const float> values, const BlockGrid& grid, float factor, Field& field,
            const ExecutionContext& context);
 /// The field's value at every sample.
 std::vector<float> valuesAt(const CubeSamples& samples, const BlockGrid& grid, const Field& field, const ExecutionContext& context);
