@@ -2,7 +2,9 @@
 include_guard()
 find_program(GLISSON_CCACHE ccache)
 if(GLISSON_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${GLISSON_CCACHE})
+  # What one clone compiled serves another in another folder: paths are hashed and compiled relative to the source folder.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}
+                                  CCACHE_NOHASHDIR=1 ${GLISSON_CCACHE})
 endif()
 
 set(CMAKE_CXX_STANDARD 20)
