@@ -2,7 +2,9 @@
 include_guard()
 find_program(GLISSON_CCACHE ccache)
 if(GLISSON_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${GLISSON_CCACHE})
+  # What one clone compiled serves another in another folder: paths are hashed and compiled relative to the source folder.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}
+                                  CCACHE_NOHASHDIR=1 ${GLISSON_CCACHE})
 endif()
 
 set(CMAKE_CXX_STANDARD 20)
@@ -21,14 +23,20 @@ if(GLISSON_COVERAGE)
   add_link_options(--coverage)
 endif()
 
-# Call once per target. Includes are written from the project's root: #include "reconstruction/mesh/surface_mesh.h".
+# glisson_target(NAME [REUSE_FROM TARGET]): call once per target. Includes are written from the project's root:
+# #include "reconstruction/mesh/surface_mesh.h". REUSE_FROM: the precompiled headers of another target of the same kind.
 function(glisson_target name)
+  cmake_parse_arguments(T "" "REUSE_FROM" "" ${ARGN})
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
                                          -Woverloaded-virtual -ffp-contract=off)
   if(GLISSON_WERROR)
     target_compile_options(${name} PRIVATE -Werror)
   endif()
-  target_precompile_headers(${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional>
-                            <set> <span> <string> <string_view> <unordered_map> <vector> <Eigen/Core> <Eigen/LU>)
+  if(T_REUSE_FROM)
+    target_precompile_headers(${name} REUSE_FROM ${T_REUSE_FROM})
+  else()
+    target_precompile_headers(${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional>
+                              <set> <span> <string> <string_view> <unordered_map> <vector> <Eigen/Core> <Eigen/LU>)
+  endif()
 endfunction()

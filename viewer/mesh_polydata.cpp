@@ -18,6 +18,8 @@ namespace {
 
 /// Per structure; software OpenGL draws a whole model of such within 100 ms a frame.
 constexpr std::size_t kCoarseTriangles = 6000;
+/// Per structure; of a view at rest where the whole mesh takes too long (software OpenGL).
+constexpr std::size_t kReducedTriangles = 20000;
 
 std::vector<Vec3> vertexNormals(const SurfaceMesh& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
@@ -86,9 +88,11 @@ std::shared_ptr<const DisplayMesh> makeDisplayMesh(std::shared_ptr<const Reconst
   auto made = std::make_shared<DisplayMesh>();
   made->source = std::move(reconstruction);
   made->coarse = clustered(made->source->mesh, kCoarseTriangles);
-  made->full = toPolyData(made->source->mesh);
-  made->coarsePoly = toPolyData(made->coarse);
-  for (vtkPolyData* poly : {made->full.Get(), made->coarsePoly.Get()}) {
+  const std::size_t triangles = made->source->mesh.triangles.size();
+  const auto full = toPolyData(made->source->mesh);
+  made->polys = {triangles > kCoarseTriangles ? toPolyData(made->coarse) : full,
+                 triangles > kReducedTriangles ? toPolyData(clustered(made->source->mesh, kReducedTriangles)) : full, full};
+  for (vtkPolyData* poly : made->polys) {
     poly->ComputeBounds();  // else the first frame computes and keeps them
   }
   return made;

@@ -11,7 +11,8 @@ namespace glisson {
 
 namespace {
 
-constexpr double kFilled = 0.86;  ///< share of the view the model fills
+constexpr double kFilled = 0.86;                 ///< share of the view the model fills
+constexpr std::size_t kUploadTriangles = 60000;  ///< new ones of one resting frame, unless a single mesh is larger
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 void growBy(Eigen::AlignedBox3d& box, vtkRenderer* renderer) {
@@ -71,7 +72,7 @@ bool ModelView::Impl::showStructures(const std::vector<std::shared_ptr<const Dis
       const auto made = std::ranges::find_if(ready, [&](const auto& mesh) { return mesh->source == structure.reconstruction; });
       actors = std::make_unique<StructureActors>(
           scene.renderer, made != ready.end() ? *made : makeDisplayMesh(structure.reconstruction), isParenchyma);
-      scene.forgetFrameTimes();
+      scene.budget.forget();
     }
     actors->setLook(structure.colour, structure.opacity, structure.visible);
     actors->setPlane(plane);
@@ -100,19 +101,40 @@ void ModelView::Impl::updateSection(bool coarse) {
   planeActors.setSection(*plane, section);
 }
 
-void ModelView::Impl::prepareFrame(FrameQuality quality) {
-  const bool coarse = quality == FrameQuality::Moving;
+FramePlan ModelView::Impl::planFrame(FrameQuality quality) {
+  TriangleCounts triangles;
   bool anyTranslucent = plane.has_value();
   for (const auto& [id, actors] : structures) {
-    actors->setSimplified(coarse);
+    triangles.reduced += actors->triangles(Detail::Reduced);
+    triangles.full += actors->triangles(Detail::Full);
     anyTranslucent = anyTranslucent || actors->translucent();
   }
+  FramePlan frame = scene.budget.plan(quality, triangles, anyTranslucent);
+  std::size_t uploading = 0;
+  for (const auto& [id, actors] : structures) {
+    Detail detail = frame.detail;
+    const std::size_t needed = actors->triangles(detail);
+    if (quality == FrameQuality::Resting && needed > 0 && !actors->uploaded(detail)) {
+      frame.uploads = true;
+      if (uploading > 0 && uploading + needed > kUploadTriangles) {
+        frame.moreToUpload = true;
+        detail = actors->uploaded(Detail::Reduced) ? Detail::Reduced : Detail::Coarse;
+      } else {
+        uploading += needed;
+      }
+    }
+    actors->setDetail(detail);
+  }
+  return frame;
+}
+
+void ModelView::Impl::prepareFrame(FrameQuality quality) {
+  scene.use(planFrame(quality));
   planeActors.setVisible(plane.has_value());
   if (plane) {
-    updateSection(coarse);
+    updateSection(quality == FrameQuality::Moving);
     planeActors.placeHandles(*plane, layout(), drag ? std::optional(drag->handle()) : hovered);
   }
-  scene.chooseTransparency(quality, anyTranslucent);
   Eigen::AlignedBox3d box;
   growBy(box, scene.renderer);
   growBy(box, scene.overlay);

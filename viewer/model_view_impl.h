@@ -44,6 +44,9 @@ struct ModelView::Impl {
   bool showStructures(const std::vector<std::shared_ptr<const DisplayMesh>>& ready);
   void updateSection(bool coarse);
   void prepareFrame(FrameQuality quality);
+  /// Plans the frame and gives every structure its mesh. Resting frames upload only some new ones at a time: the window answers in
+  /// between.
+  [[nodiscard]] FramePlan planFrame(FrameQuality quality);
   /// Places the camera so that the whole model is seen along `direction`.
   void lookFrom(const Vec3& direction, const Vec3& up);
   /// Places it again along the last direction, unless the user has moved it since.

@@ -7,6 +7,8 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
+
 namespace glisson {
 
 namespace {
@@ -43,14 +45,18 @@ StructureActors::~StructureActors() {
 StructureActors::Side StructureActors::makeSide() {
   Side side;
   side.clip = vtkSmartPointer<vtkPlane>::New();
-  side.full = vtkSmartPointer<vtkPolyDataMapper>::New();
-  side.full->SetInputData(mesh_->full);
-  side.full->ScalarVisibilityOff();
-  side.coarse = vtkSmartPointer<vtkPolyDataMapper>::New();
-  side.coarse->SetInputData(mesh_->coarsePoly);
-  side.coarse->ScalarVisibilityOff();
+  for (std::size_t d = 0; d < kDetails; ++d) {
+    const auto same = std::ranges::find(mesh_->polys, mesh_->polys[d]) - mesh_->polys.begin();
+    if (static_cast<std::size_t>(same) < d) {
+      side.mappers[d] = side.mappers[static_cast<std::size_t>(same)];
+      continue;
+    }
+    side.mappers[d] = vtkSmartPointer<vtkPolyDataMapper>::New();
+    side.mappers[d]->SetInputData(mesh_->polys[d]);
+    side.mappers[d]->ScalarVisibilityOff();
+  }
   side.actor = vtkSmartPointer<vtkActor>::New();
-  side.actor->SetMapper(side.full);
+  side.actor->SetMapper(side.mappers.front());
   side.actor->GetProperty()->SetInterpolationToPhong();
   side.actor->GetProperty()->SetAmbient(0.2);
   side.actor->GetProperty()->SetDiffuse(0.85);
@@ -83,8 +89,8 @@ void StructureActors::setPlane(const std::optional<HalfSpace>& plane) {
   }
   cut_ = plane.has_value();
   for (Side* side : {&remnant_, &*resected_}) {
-    for (vtkPolyDataMapper* mapper : {side->full.Get(), side->coarse.Get()}) {
-      mapper->RemoveAllClippingPlanes();
+    for (vtkPolyDataMapper* mapper : side->mappers) {
+      mapper->RemoveAllClippingPlanes();  // also: one mapper may stand for several details
       if (cut_) {
         mapper->AddClippingPlane(side->clip);
       }
@@ -93,11 +99,20 @@ void StructureActors::setPlane(const std::optional<HalfSpace>& plane) {
   apply();
 }
 
-void StructureActors::setSimplified(bool simplified) {
-  remnant_.actor->SetMapper(simplified ? remnant_.coarse : remnant_.full);
+void StructureActors::setDetail(Detail detail) {
+  const auto index = static_cast<std::size_t>(detail);
+  remnant_.actor->SetMapper(remnant_.mappers[index]);
   if (resected_) {
-    resected_->actor->SetMapper(simplified ? resected_->coarse : resected_->full);
+    resected_->actor->SetMapper(resected_->mappers[index]);
   }
+  for (std::size_t d = 0; d < kDetails; ++d) {
+    uploaded_[d] = uploaded_[d] || (visible_ && mesh_->polys[d] == mesh_->polys[index]);
+  }
+}
+
+std::size_t StructureActors::triangles(Detail detail) const {
+  const auto count = static_cast<std::size_t>(mesh_->poly(detail)->GetNumberOfPolys());
+  return visible_ ? count * (cut_ ? 2U : 1U) : 0U;
 }
 
 void StructureActors::apply() {

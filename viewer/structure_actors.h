@@ -33,8 +33,11 @@ class StructureActors {
 
   void setLook(Rgb colour, double opacity, bool visible);
   void setPlane(const std::optional<HalfSpace>& plane);
-  /// The coarse stand-in instead of the mesh.
-  void setSimplified(bool simplified);
+  /// What the next frame draws; it uploads what was not drawn before.
+  void setDetail(Detail detail);
+  [[nodiscard]] bool uploaded(Detail detail) const { return uploaded_[static_cast<std::size_t>(detail)]; }
+  /// Triangles drawn at this detail: 0 where hidden, twice the mesh's where both sides of a plane are.
+  [[nodiscard]] std::size_t triangles(Detail detail) const;
 
   [[nodiscard]] const Reconstruction* source() const { return mesh_->source.get(); }
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_->source->mesh; }
@@ -46,8 +49,7 @@ class StructureActors {
   /// The structure on one side of the plane.
   struct Side {
     vtkSmartPointer<vtkActor> actor;
-    vtkSmartPointer<vtkPolyDataMapper> full;
-    vtkSmartPointer<vtkPolyDataMapper> coarse;
+    std::array<vtkSmartPointer<vtkPolyDataMapper>, kDetails> mappers;  ///< one for each different mesh
     vtkSmartPointer<vtkPlane> clip;
   };
   Side makeSide();
@@ -61,6 +63,7 @@ class StructureActors {
   double opacity_ = 1;
   bool visible_ = true;
   bool cut_ = false;
+  std::array<bool, kDetails> uploaded_{};
 };
 
 }  // namespace glisson

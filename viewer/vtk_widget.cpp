@@ -22,9 +22,6 @@ namespace glisson {
 
 namespace {
 
-constexpr int kRestingPeels = 4;
-constexpr int kPicturePeels = 32;
-
 /// Connects a VTK event of `object` to a function of a widget.
 void observe(vtkObject* object, unsigned long event, void* receiver, void (*call)(vtkObject*, unsigned long, void*, void*)) {
   vtkNew<vtkCallbackCommand> command;
@@ -34,51 +31,6 @@ void observe(vtkObject* object, unsigned long event, void* receiver, void (*call
 }
 
 }  // namespace
-
-void VtkWidget::Scene::touch() {
-  moving = true;
-  rest.start(kRestMs);
-}
-
-void VtkWidget::Scene::chooseTransparency(FrameQuality quality, bool anyTranslucent) {
-  const double expectedMs = peeledMs > 0 ? peeledMs : plainMs * kRestingPeels;
-  framePeels = anyTranslucent && (quality == FrameQuality::Picture ||
-                                  (quality == FrameQuality::Resting && plainMs > 0 && expectedMs <= kFrameBudgetMs));
-  renderer->SetUseDepthPeeling(framePeels);
-  renderer->SetMaximumNumberOfPeels(quality == FrameQuality::Picture ? kPicturePeels : kRestingPeels);
-  renderer->SetOcclusionRatio(0.0);
-  const bool quick = plainMs > 0 && plainMs < 0.5 * kFrameBudgetMs;
-  renderer->SetUseFXAA(quality == FrameQuality::Picture || (quality == FrameQuality::Resting && quick));
-}
-
-double VtkWidget::Scene::frameScale(FrameQuality quality) const {
-  return quality == FrameQuality::Moving && movingMs > 0.5 * kFrameBudgetMs ? 0.5 : 1.0;
-}
-
-bool VtkWidget::Scene::rememberFrameTime(FrameQuality quality, double scale, double ms) {
-  if (quality == FrameQuality::Picture || scale < 1.0) {
-    return false;
-  }
-  const bool movingFrame = quality == FrameQuality::Moving;
-  int& frames = movingFrame ? movingFrames : (framePeels ? peeledFrames : plainFrames);
-  double& kept = movingFrame ? movingMs : (framePeels ? peeledMs : plainMs);
-  ++frames;
-  if (frames >= 2) {
-    kept = std::max(ms, 0.1);
-  }
-  return !movingFrame && frames <= 2;
-}
-
-void VtkWidget::Scene::forgetFrameTimes() {
-  plainMs = peeledMs = movingMs = 0;
-  plainFrames = peeledFrames = movingFrames = 0;
-}
-
-void VtkWidget::Scene::scaleFrameTimes(double factor) {
-  for (double* ms : {&plainMs, &peeledMs, &movingMs}) {
-    *ms *= factor;
-  }
-}
 
 VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_unique<Scene>()) {
   setFocusPolicy(Qt::StrongFocus);
@@ -96,7 +48,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_
 
   s.rest.setSingleShot(true);
   connect(&s.rest, &QTimer::timeout, this, [this] {
-    if (scene_->plainMs > kFrameBudgetMs && QGuiApplication::mouseButtons() != Qt::NoButton) {
+    if (scene_->budget.restingIsSlow() && QGuiApplication::mouseButtons() != Qt::NoButton) {
       scene_->rest.start(kRestMs);  // a hand that pauses in a drag must not wait for a slow full frame
       return;
     }
@@ -166,7 +118,7 @@ void VtkWidget::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::releaseGraphics, Qt::DirectConnection);
   scene_->window->SetReadyForRendering(true);
   scene_->window->OpenGLInitContext();
-  scene_->forgetFrameTimes();
+  scene_->budget.forget();
 }
 
 void VtkWidget::releaseGraphics() {
@@ -178,7 +130,7 @@ void VtkWidget::releaseGraphics() {
 
 void VtkWidget::resizeGL(int width, int height) {
   const double area = std::max(1.0, static_cast<double>(width) * height);
-  scene_->scaleFrameTimes(scene_->area > 0 ? area / scene_->area : 1.0);
+  scene_->budget.areaChanged(scene_->area > 0 ? area / scene_->area : 1.0);
   scene_->area = area;
   scene_->touch();  // Qt draws at once after every step of a resize: quick frames until it rests
 }
@@ -189,11 +141,11 @@ void VtkWidget::paintGL() {
   const QSize pixels(qRound(width() * ratio), qRound(height() * ratio));
   s.interactor->UpdateSize(pixels.width(), pixels.height());
   const FrameQuality quality = s.picture ? FrameQuality::Picture : (s.moving ? FrameQuality::Moving : FrameQuality::Resting);
-  const double scale = s.frameScale(quality);
-  s.window->SetDPI(qRound(72 * ratio * scale));
   if (s.beforeFrame) {
     s.beforeFrame(quality);
   }
+  const double scale = s.frame.scale;
+  s.window->SetDPI(qRound(72 * ratio * scale));
   vtkOpenGLState* state = s.window->GetState();
   state->Reset();
   state->Push();
@@ -206,8 +158,8 @@ void VtkWidget::paintGL() {
   copyToWidget(pixels);
   state->Pop();
   s.window->SetSize(pixels.width(), pixels.height());  // the interactor measures the mouse against it
-  if (s.rememberFrameTime(quality, scale, ms)) {
-    s.rest.start(kRestMs);
+  if (s.budget.remember(s.frame, ms)) {
+    s.rest.start(s.frame.moreToUpload ? kUploadGapMs : kRestMs);
   }
 }
 

@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/paths.h"
+
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves the declaration to the program
 
 namespace glisson::test {
@@ -49,7 +51,7 @@ Finished runProgram(const std::string& program, const std::vector<std::string>& 
   const TemporaryFolder folder;
   const std::string out = folder / "out";
   const std::string err = folder / "err";
-  std::vector<std::string> words{std::string(GLISSON_BIN_DIR) + "/" + program};
+  std::vector<std::string> words{programFolder() + "/" + program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environmentWith(environment);
 

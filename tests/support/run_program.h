@@ -13,7 +13,7 @@ struct Finished {
   std::string err;
 };
 
-/// Starts GLISSON_BIN_DIR/<program>; `environment` holds NAME=VALUE added to the test's own. A positive `interruptAfterSeconds`
+/// Starts programFolder()/<program>; `environment` holds NAME=VALUE added to the test's own. A positive `interruptAfterSeconds`
 /// sends one SIGINT then.
 Finished runProgram(const std::string& program, const std::vector<std::string>& arguments,
                     const std::vector<std::string>& environment = {}, double interruptAfterSeconds = 0);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 
 namespace glisson::test {
@@ -21,7 +22,7 @@ inline Finished cli(const std::vector<std::string>& arguments, const std::vector
 
 /// Made by the ctest fixture cli_sample; where a test is started by hand, made on the first call.
 inline std::filesystem::path samplePatient() {
-  std::filesystem::path folder = GLISSON_CLI_SAMPLE;
+  std::filesystem::path folder = cliSampleFolder();
   if (!std::filesystem::exists(folder / "truth.json")) {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder.parent_path());
@@ -37,7 +38,7 @@ inline std::string sampleSegmentation() { return (samplePatient() / "segmentatio
 
 /// The complete model of the sample patient, made likewise.
 inline std::filesystem::path sampleCase() {
-  std::filesystem::path file = std::filesystem::path(GLISSON_CLI_SAMPLE).parent_path() / "sample.glisson";
+  std::filesystem::path file = std::filesystem::path(cliSampleFolder()).parent_path() / "sample.glisson";
   if (!std::filesystem::exists(file)) {
     const Finished made = cli({"model", sampleSegmentation(), "--ct", (samplePatient() / "dicom").string(), "-o", file.string()});
     if (made.exitCode != 0) {

@@ -9,6 +9,7 @@
 #include "planning/exchange/mesh_files.h"
 #include "planning/storage/case_file.h"
 #include "tests/app/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 namespace glisson::test {
 namespace {
@@ -17,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 std::filesystem::path data(const std::string& name) {
   const char* root = std::getenv("GLISSON_TEST_DATA");
-  return (root != nullptr ? std::filesystem::path(root) : std::filesystem::path(GLISSON_SOURCE_DIR) / "../shared/data") / name;
+  return (root != nullptr ? std::filesystem::path(root) : std::filesystem::path(sourceFolder()) / "../shared/data") / name;
 }
 
 #define REQUIRE_DATA(path)                   \

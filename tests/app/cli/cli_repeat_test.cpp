@@ -1,13 +1,14 @@
 // The same bytes whatever the locale and the number of threads.
 
 #include "tests/app/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 namespace glisson::test {
 namespace {
 
 /// The environment of a user with this locale.
 std::vector<std::string> under(const std::string& locale) {
-  const std::filesystem::path made = GLISSON_TEST_LOCALES;
+  const std::filesystem::path made = localesFolder();
   return {"LOCPATH=" + made.string(), "LC_ALL=" + locale};
 }
 
@@ -36,7 +37,7 @@ TEST_P(EveryMethod, GivesTheSameBytesUnderADecimalComma) {
   const std::string plain = surface({}, {"LC_ALL=C"});
   ASSERT_FALSE(plain.empty());
   for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8", "tr_TR.UTF-8"}) {
-    ASSERT_TRUE(std::filesystem::exists(std::filesystem::path(GLISSON_TEST_LOCALES) / locale / "LC_NUMERIC"))
+    ASSERT_TRUE(std::filesystem::exists(std::filesystem::path(localesFolder()) / locale / "LC_NUMERIC"))
         << locale << " is missing: install the package locales and configure again";
     EXPECT_EQ(surface({}, under(locale)), plain) << locale;
   }

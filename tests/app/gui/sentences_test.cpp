@@ -24,6 +24,7 @@
 #include "small_case.h"
 #include "source_sentences.h"
 #include "tests/reconstruction/io/fixtures.h"
+#include "tests/support/paths.h"
 #include "wait.h"
 
 namespace glisson {
@@ -33,7 +34,7 @@ namespace fs = std::filesystem;
 using fixtures::DicomOptions;
 using fixtures::TemporaryFolder;
 
-const fs::path kSources = GLISSON_SOURCE_DIR;
+const fs::path kSources = test::sourceFolder();
 
 // ---- the catalogue and the sources
 

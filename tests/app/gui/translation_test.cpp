@@ -9,6 +9,8 @@
 #include <QXmlStreamReader>
 #include <set>
 
+#include "tests/support/paths.h"
+
 namespace {
 
 struct Message {
@@ -51,7 +53,7 @@ std::set<QString> placeholders(const QString& text) {
   return found;
 }
 
-const QString kGerman = QStringLiteral(GLISSON_SOURCE_DIR "/translations/glisson_de.ts");
+const QString kGerman = QString::fromStdString(test::sourceFolder() + "/translations/glisson_de.ts");
 
 TEST(TranslationTest, EveryTextIsFinishedAndKeepsItsPlaceholders) {
   const std::vector<Message> messages = messagesOf(kGerman);
@@ -68,7 +70,7 @@ TEST(TranslationTest, EveryTextOfTheSourcesIsInTheFile) {
   const QString copy = folder.filePath("glisson_de.ts");
   ASSERT_TRUE(QFile::copy(kGerman, copy));
   QProcess lupdate;
-  lupdate.setWorkingDirectory(GLISSON_SOURCE_DIR);
+  lupdate.setWorkingDirectory(QString::fromStdString(test::sourceFolder()));
   lupdate.start(GLISSON_LUPDATE, {"-silent", "-I", ".", "-no-obsolete", "-locations", "none", "-source-language", "en",
                                   "-target-language", "de", "app", "viewer", "-ts", copy});
   ASSERT_TRUE(lupdate.waitForFinished(120000));

@@ -12,6 +12,7 @@
 #include "reconstruction/errors.h"
 #include "tests/planning/exchange/bodies.h"
 #include "tests/planning/exchange/scratch.h"
+#include "tests/support/paths.h"
 
 namespace glisson {
 namespace {
@@ -119,14 +120,14 @@ TEST(Glb, AnEmptyMeshIsRefusedByName) {
 
 TEST(Glb, PassesTheKhronosValidatorWithoutErrorsAndWarnings) {
   const char* modules = std::getenv("GLISSON_NODE_MODULES");
-  const std::string folder = modules != nullptr ? modules : std::string(GLISSON_SOURCE_DIR) + "/build/node/node_modules";
+  const std::string folder = modules != nullptr ? modules : test::sourceFolder() + "/build/node/node_modules";
   if (!std::filesystem::exists(folder + "/gltf-validator") || std::system("command -v node > /dev/null 2>&1") != 0) {
     GTEST_SKIP() << "skipped: no gltf-validator in \"" << folder << "\" or no node";
   }
   const Scratch scratch;
   writeGlb(threeMeshes(), scratch.path / "m.glb");
   const std::string output = (scratch.path / "out.txt").string();
-  const std::string command = "GLISSON_NODE_MODULES='" + folder + "' node '" + std::string(GLISSON_SOURCE_DIR) +
+  const std::string command = "GLISSON_NODE_MODULES='" + folder + "' node '" + test::sourceFolder() +
                               "/tests/support/gltf_validate.mjs' '" + (scratch.path / "m.glb").string() + "' > '" + output +
                               "' 2>&1";
   const int status = std::system(command.c_str());

@@ -19,6 +19,7 @@
 #include "reconstruction/errors.h"
 #include "tests/planning/exchange/bodies.h"
 #include "tests/planning/exchange/scratch.h"
+#include "tests/support/paths.h"
 
 namespace glisson {
 namespace {
@@ -133,7 +134,7 @@ TEST_P(EveryFormat, HoldsTheSameBytesInEveryLocale) {
   const Scratch scratch;
   const std::string extension = GetParam();
   writeMesh(named(asymmetricBody(1)), scratch.path / ("c" + extension));
-  ::setenv("LOCPATH", GLISSON_BIN_DIR "/../tests/locales", 1);
+  ::setenv("LOCPATH", test::localesFolder().c_str(), 1);
   for (const std::string locale : {"de_DE.UTF-8", "fr_FR.UTF-8", "tr_TR.UTF-8"}) {
     ASSERT_NE(std::setlocale(LC_ALL, locale.c_str()), nullptr) << locale << " is missing: see tests/support/CMakeLists.txt";
     ASSERT_EQ(std::string(std::localeconv()->decimal_point), ",");

@@ -20,6 +20,7 @@
 #include "reconstruction/parallel.h"
 #include "tests/planning/exchange/scratch.h"
 #include "tests/planning/exchange/synthetic_case.h"
+#include "tests/support/paths.h"
 
 namespace glisson {
 namespace {
@@ -128,14 +129,14 @@ TEST(Package, PlanJsonStatesFrameAxesUnitsPlanesVolumesVersionAndHashes) {
 
 TEST(Package, ItsModelPassesTheKhronosValidatorWithoutErrorsAndWarnings) {
   const char* modules = std::getenv("GLISSON_NODE_MODULES");
-  const std::string validator = modules != nullptr ? modules : std::string(GLISSON_SOURCE_DIR) + "/build/node/node_modules";
+  const std::string validator = modules != nullptr ? modules : test::sourceFolder() + "/build/node/node_modules";
   if (!std::filesystem::exists(validator + "/gltf-validator") || std::system("command -v node > /dev/null 2>&1") != 0) {
     GTEST_SKIP() << "skipped: no gltf-validator in \"" << validator << "\" or no node";
   }
   const Scratch scratch;
   const std::filesystem::path folder = exportPackage(syntheticCase(), scratch.path, stamped()).folder;
   const std::string output = (scratch.path / "out.txt").string();
-  const std::string command = "GLISSON_NODE_MODULES='" + validator + "' node '" + std::string(GLISSON_SOURCE_DIR) +
+  const std::string command = "GLISSON_NODE_MODULES='" + validator + "' node '" + test::sourceFolder() +
                               "/tests/support/gltf_validate.mjs' '" + (folder / "model.glb").string() + "' > '" + output + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << readWholeFile(output);
   EXPECT_NE(readWholeFile(output).find("0 errors, 0 warnings"), std::string::npos) << readWholeFile(output);

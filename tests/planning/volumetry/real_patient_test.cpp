@@ -8,6 +8,7 @@
 
 #include "planning/volumetry/assessment.h"
 #include "reconstruction/io/read.h"
+#include "tests/support/paths.h"
 
 namespace glisson {
 namespace {
@@ -17,7 +18,7 @@ class RealPatient : public ::testing::Test {
  protected:
   void SetUp() override {
     const char* root = std::getenv("GLISSON_TEST_DATA");
-    const fs::path data = root != nullptr ? fs::path(root) : fs::path(GLISSON_SOURCE_DIR) / "../shared/data";
+    const fs::path data = root != nullptr ? fs::path(root) : fs::path(test::sourceFolder()) / "../shared/data";
     const fs::path zip = data / "ircadb01" / "MASKS_DICOM.zip";
     if (!fs::exists(zip)) {
       GTEST_SKIP() << "skipped: no real data";

@@ -11,6 +11,7 @@
 #include "reconstruction/io/child_process.h"
 #include "reconstruction/io/read.h"
 #include "tests/reconstruction/io/fixtures.h"
+#include "tests/support/paths.h"
 
 namespace glisson {
 namespace {
@@ -41,7 +42,7 @@ Bytes asType(const std::vector<double>& values, double shift, bool bigEndian) {
 }
 
 TEST(Import, TheChildIsFoundBesideTheProgram) {
-  EXPECT_EQ(findImporter(), std::filesystem::path(GLISSON_BIN_DIR) / "glisson-import");
+  EXPECT_EQ(findImporter(), std::filesystem::path(test::programFolder()) / "glisson-import");
 }
 
 TEST(Import, H1AllAxisOrdersFlipsAndObliqueDirectionsOfEveryFormatKeepTheBodyWhereItIs) {
@@ -275,7 +276,7 @@ TEST(Import, PathsWithBlanksAndUtf8Work) {
 }
 
 TEST(Import, ADecimalCommaLocaleChangesNothing) {
-  setenv("LOCPATH", GLISSON_TEST_LOCALES, 1);
+  setenv("LOCPATH", test::localesFolder().c_str(), 1);
   const TemporaryFolder folder;
   const ImageGeometry geometry = permutedGrid(17, 41);
   writeFile(folder / "a.nrrd", nrrd(geometry, asymmetricBody(geometry), "uchar", kRas, true));

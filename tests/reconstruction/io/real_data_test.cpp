@@ -10,6 +10,7 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/io/read.h"
 #include "tests/reconstruction/io/fixtures.h"
+#include "tests/support/paths.h"
 
 namespace glisson {
 namespace {
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 fs::path dataFolder() {
   const char* named = std::getenv("GLISSON_TEST_DATA");
-  return named != nullptr ? fs::path(named) : fs::path(GLISSON_SOURCE_DIR) / "../shared/data";
+  return named != nullptr ? fs::path(named) : fs::path(test::sourceFolder()) / "../shared/data";
 }
 
 #define REQUIRE_REAL_DATA(path)              \
