@@ -2060,8 +2060,296 @@
         <translation>Resektion %1</translation>
     </message>
     <message>
+        <source>Distance %1</source>
+        <translation>Strecke %1</translation>
+    </message>
+    <message>
         <source>Plan %1</source>
         <translation>Plan %1</translation>
+    </message>
+    <message>
+        <source>The height is not given, so no standardised liver volume and no threshold is shown.</source>
+        <translation>Die Größe ist nicht angegeben, also werden kein Standard-Lebervolumen und kein Schwellenwert gezeigt.</translation>
+    </message>
+    <message>
+        <source>The weight is not given, so no standardised liver volume and no threshold is shown.</source>
+        <translation>Das Gewicht ist nicht angegeben, also werden kein Standard-Lebervolumen und kein Schwellenwert gezeigt.</translation>
+    </message>
+    <message>
+        <source>A height of %1 cm is outside 120 to 220 cm, for which the formulas hold, so no standardised liver volume and no threshold is shown.</source>
+        <translation>Eine Größe von %1 cm liegt außerhalb von 120 bis 220 cm, wofür die Formeln gelten, also werden kein Standard-Lebervolumen und kein Schwellenwert gezeigt.</translation>
+    </message>
+    <message>
+        <source>A weight of %1 kg is outside 30 to 250 kg, for which the formulas hold, so no standardised liver volume and no threshold is shown.</source>
+        <translation>Ein Gewicht von %1 kg liegt außerhalb von 30 bis 250 kg, wofür die Formeln gelten, also werden kein Standard-Lebervolumen und kein Schwellenwert gezeigt.</translation>
+    </message>
+    <message>
+        <source>A body surface area of %1 m2 is outside 1.2 to 2.6 m2, for which the formulas hold, so no standardised liver volume and no threshold is shown.</source>
+        <translation>Eine Körperoberfläche von %1 m2 liegt außerhalb von 1,2 bis 2,6 m2, wofür die Formeln gelten, also werden kein Standard-Lebervolumen und kein Schwellenwert gezeigt.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s condition is not given, so no threshold is shown.</source>
+        <translation>Der Zustand der Leber ist nicht angegeben, also wird kein Schwellenwert gezeigt.</translation>
+    </message>
+    <message>
+        <source>Kubota&apos;s 40 or 50 % of the functional volume depend on ICG R15, which is not asked for, so they are not shown.</source>
+        <translation>Kubotas 40 oder 50 % des funktionellen Volumens hängen von ICG R15 ab, wonach nicht gefragt wird, also werden sie nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>The plan does not divide the liver, so there is no remnant to compare.</source>
+        <translation>Der Plan teilt die Leber nicht, also gibt es keinen Leberrest zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>below this: R1; from this on: accepted</source>
+        <translation>darunter: R1; ab hier: anerkannt</translation>
+    </message>
+    <message>
+        <source>the old rule</source>
+        <translation>die alte Regel</translation>
+    </message>
+    <message>
+        <source>below this: worse, in non-anatomical resections</source>
+        <translation>darunter: schlechter, bei nicht anatomischen Resektionen</translation>
+    </message>
+    <message>
+        <source>The height and the weight must be positive numbers in cm and kg; type them again or leave them out.</source>
+        <translation>Größe und Gewicht müssen positive Zahlen in cm und kg sein; geben Sie sie erneut ein oder lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>the patient has an unknown liver condition or tumour type</source>
+        <translation>der Patient hat einen unbekannten Leberzustand oder Tumortyp</translation>
+    </message>
+    <message>
+        <source>The plan has no such resection; choose one of its resections first.</source>
+        <translation>Der Plan hat keine solche Resektion; wählen Sie zuerst eine seiner Resektionen.</translation>
+    </message>
+    <message>
+        <source>The point&apos;s coordinates must be finite numbers.</source>
+        <translation>Die Koordinaten des Punktes müssen endliche Zahlen sein.</translation>
+    </message>
+    <message>
+        <source>A resection needs at least one plane; place it first.</source>
+        <translation>Eine Resektion braucht mindestens eine Ebene; setzen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>The safety margin must be a number of millimetres, 0 or more.</source>
+        <translation>Der Sicherheitsabstand muss eine Zahl in Millimetern sein, 0 oder mehr.</translation>
+    </message>
+    <message>
+        <source>The plan has no such assigned island; choose one of those it has.</source>
+        <translation>Der Plan hat keine solche zugewiesene Insel; wählen Sie eine von denen, die er hat.</translation>
+    </message>
+    <message>
+        <source>The plan has no such measured distance; choose one of those it has.</source>
+        <translation>Der Plan hat keine solche gemessene Strecke; wählen Sie eine von denen, die er hat.</translation>
+    </message>
+    <message>
+        <source>move plane %1 of %2</source>
+        <translation>Ebene %1 von %2 verschieben</translation>
+    </message>
+    <message>
+        <source>move plane %1</source>
+        <translation>Ebene %1 verschieben</translation>
+    </message>
+    <message>
+        <source>move plane</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>remove plane %1 of %2</source>
+        <translation>Ebene %1 von %2 entfernen</translation>
+    </message>
+    <message>
+        <source>remove plane %1</source>
+        <translation>Ebene %1 entfernen</translation>
+    </message>
+    <message>
+        <source>remove plane</source>
+        <translation>Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>add plane to %1</source>
+        <translation>Ebene zu %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>add plane</source>
+        <translation>Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>add resection</source>
+        <translation>Resektion hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove distance</source>
+        <translation>Strecke entfernen</translation>
+    </message>
+    <message>
+        <source>measure distance</source>
+        <translation>Strecke messen</translation>
+    </message>
+    <message>
+        <source>change safety margin</source>
+        <translation>Sicherheitsabstand ändern</translation>
+    </message>
+    <message>
+        <source>add island to the resected side</source>
+        <translation>Insel dem Resektat zuschlagen</translation>
+    </message>
+    <message>
+        <source>add island to the remnant</source>
+        <translation>Insel dem Leberrest zuschlagen</translation>
+    </message>
+    <message>
+        <source>give island back</source>
+        <translation>Insel zurückgeben</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>The three points lie on one line, so they give no plane; click one of them elsewhere.</source>
+        <translation>Die drei Punkte liegen auf einer Geraden und ergeben keine Ebene; klicken Sie einen davon woanders.</translation>
+    </message>
+    <message>
+        <source>The line has no length in the view, so it gives no plane; draw it again across the liver.</source>
+        <translation>Die Linie hat in der Ansicht keine Länge und ergibt keine Ebene; ziehen Sie sie erneut über die Leber.</translation>
+    </message>
+    <message>
+        <source>The case has no such plan; choose one of its plans first.</source>
+        <translation>Der Fall hat keinen solchen Plan; wählen Sie zuerst einen seiner Pläne.</translation>
+    </message>
+    <message>
+        <source>A case keeps at least one plan; make another one before this one is deleted.</source>
+        <translation>Ein Fall behält mindestens einen Plan; legen Sie einen anderen an, bevor Sie diesen löschen.</translation>
+    </message>
+    <message>
+        <source>A name cannot be empty; type another one.</source>
+        <translation>Ein Name darf nicht leer sein; geben Sie einen anderen ein.</translation>
+    </message>
+    <message>
+        <source>The name &quot;%1&quot; is taken; type another one.</source>
+        <translation>Der Name „%1“ ist vergeben; geben Sie einen anderen ein.</translation>
+    </message>
+    <message>
+        <source>%1 copy %2</source>
+        <translation>%1 Kopie %2</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 Kopie</translation>
+    </message>
+    <message>
+        <source>The case has no tumour &quot;%1&quot; that is named once; it has: %2.</source>
+        <translation>Der Fall hat keinen Tumor „%1“, der genau einmal so heißt; er hat: %2.</translation>
+    </message>
+    <message>
+        <source>The proposed plane is geometry only: it ignores inflow, outflow and access.</source>
+        <translation>Die vorgeschlagene Ebene ist nur Geometrie: Zufluss, Abfluss und Zugang bleiben unberücksichtigt.</translation>
+    </message>
+    <message>
+        <source>No plane keeps %1 mm around %2: each one that does takes the whole functional liver or nothing of it.</source>
+        <translation>Keine Ebene hält %1 mm um %2 ein: Jede, die es täte, nähme die ganze funktionelle Leber oder nichts davon.</translation>
+    </message>
+    <message>
+        <source>The proposed plane around %1 does not keep its margin; place the plane by hand.</source>
+        <translation>Die vorgeschlagene Ebene um %1 hält ihren Abstand nicht ein; setzen Sie die Ebene von Hand.</translation>
+    </message>
+    <message>
+        <source>margin plane</source>
+        <translation>Ebene am Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>The piece at (%1, %2, %3) mm is no island of its own, so it counts on the side where the planes leave it.</source>
+        <translation>Das Stück bei (%1; %2; %3) mm ist keine eigene Insel, also zählt es auf der Seite, auf der es die Ebenen lassen.</translation>
+    </message>
+    <message>
+        <source>The margin of %1 is not measured while it is cut and islands are given to a side.</source>
+        <translation>Der Abstand von %1 wird nicht gemessen, solange er angeschnitten ist und Inseln einer Seite zugeschlagen sind.</translation>
+    </message>
+    <message>
+        <source>The plan gives islands to the other side, which the exported meshes do not show: give them back, then export again.</source>
+        <translation>Der Plan schlägt Inseln der anderen Seite zu, was die exportierten Netze nicht zeigen: Geben Sie sie zurück und exportieren Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>%1 is in %2 only.</source>
+        <translation>%1 gibt es nur in %2.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 planes in %3 and %4 in %5.</source>
+        <translation>%1 hat %2 Ebenen in %3 und %4 in %5.</translation>
+    </message>
+    <message>
+        <source>Plane %1 of %2 is turned by %3 degrees and lies %4 mm from where it was placed in %5.</source>
+        <translation>Ebene %1 von %2 ist um %3 Grad gedreht und liegt %4 mm von dort entfernt, wo sie in %5 gesetzt wurde.</translation>
+    </message>
+    <message>
+        <source>%1: %2 in %3, %4 in %5.</source>
+        <translation>%1: %2 in %3, %4 in %5.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are alike.</source>
+        <translation>%1 und %2 sind gleich.</translation>
+    </message>
+    <message>
+        <source>Two to four plans can be compared; choose that many.</source>
+        <translation>Zwei bis vier Pläne lassen sich vergleichen; wählen Sie so viele.</translation>
+    </message>
+    <message>
+        <source>Safety margin</source>
+        <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Functional remnant</source>
+        <translation>Funktioneller Leberrest</translation>
+    </message>
+    <message>
+        <source>Resected</source>
+        <translation>Reseziert</translation>
+    </message>
+    <message>
+        <source>Margin of %1, at least</source>
+        <translation>Abstand von %1, mindestens</translation>
+    </message>
+    <message>
+        <source>Vessels of 3 mm and more crossed</source>
+        <translation>Gekreuzte Gefäße ab 3 mm</translation>
+    </message>
+    <message>
+        <source>%1 mL</source>
+        <translation>%1 mL</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 Stellen</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>angeschnitten</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>belassen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine Angabe</translation>
     </message>
 </context>
 <context>

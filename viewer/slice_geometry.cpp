@@ -9,24 +9,6 @@ namespace glisson {
 
 namespace {
 
-/// For each world axis the index axis nearest to it: the assignment with the greatest sum of cosines.
-std::array<std::size_t, 3> nearestIndexAxes(const Mat3& direction) {
-  std::array<std::size_t, 3> order{0, 1, 2};
-  std::array<std::size_t, 3> best = order;
-  double bestSum = -1;
-  do {
-    double sum = 0;
-    for (std::size_t world = 0; world < 3; ++world) {
-      sum += std::abs(direction(static_cast<Eigen::Index>(world), static_cast<Eigen::Index>(order[world])));
-    }
-    if (sum > bestSum + 1e-12) {
-      bestSum = sum;
-      best = order;
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return best;
-}
-
 struct ViewAxes {
   std::size_t right;  ///< world axis along the picture's width, rising to the right
   std::size_t down;   ///< world axis along the height

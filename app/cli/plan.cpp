@@ -1,47 +1,21 @@
-#include <array>
 #include <iostream>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/table.h"
+#include "app/cli/plan_flags.h"
+#include "app/cli/plan_print.h"
+#include "planning/resection/plan_edit.h"
+#include "planning/resection/plan_list.h"
 #include "planning/storage/case_file.h"
-#include "planning/volumetry/assessment.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
 
 namespace {
+using Json = nlohmann::ordered_json;
 
-struct Flags {
-  std::string caseFile;
-  std::vector<std::string> planes;
-  std::string plan;
-  bool json = false;
-};
-
-/// ox,oy,oz,nx,ny,nz: a point of the plane (mm LPS) and the direction to the resected side.
-HalfSpace planeOf(const std::string& text) {
-  std::vector<double> numbers;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    const auto number = parseNumber(part);
-    if (!number) {
-      throw UsageError("--plane " + text + ": \"" + part + "\" is no number");
-    }
-    numbers.push_back(*number);
-  }
-  if (numbers.size() != 6) {
-    throw UsageError("--plane takes six numbers ox,oy,oz,nx,ny,nz, not \"" + text + "\"");
-  }
-  const Vec3 normal(numbers[3], numbers[4], numbers[5]);
-  if (!(normal.norm() > 0)) {
-    throw UsageError("--plane " + text + ": the normal has no length");
-  }
-  return {Vec3(numbers[0], numbers[1], numbers[2]), normal.normalized()};
-}
-
-std::size_t planIndex(const std::vector<ResectionPlan>& plans, const std::string& name, const std::string& file) {
+std::size_t planIndex(const Plans& plans, const std::string& name, const std::string& flag, const std::string& file) {
   if (name.empty() && !plans.empty()) {
     return 0;
   }
@@ -52,37 +26,18 @@ std::size_t planIndex(const std::vector<ResectionPlan>& plans, const std::string
     }
     names += (names.empty() ? "" : ", ") + plans[i].name;
   }
-  throw UsageError("--plan " + name + " is not in " + file + "; it holds: " + names);
+  throw UsageError(flag + " " + name + " is not in " + file + "; it holds: " + names);
 }
 
-std::string millimetres(const std::optional<double>& value) { return value ? formatNumber(*value, 1) + " mm" : "-"; }
-
-void printText(const PlanAssessment& a) {
-  const auto ml = [](double value) { return formatNumber(value, 1) + " mL"; };
-  if (!a.warning.empty()) {
-    std::cout << "note: " << a.warning << '\n';
-  }
-  std::cout << "total: " << ml(a.totalMl) << ", tumour " << ml(a.tumourMl) << ", functional " << ml(a.functionalMl) << '\n'
-            << "resected: " << ml(a.resectedMl) << ", remnant " << ml(a.remnantMl) << " (+- " << ml(a.volumeUncertaintyMl) << ")\n"
-            << "functional remnant: " << ml(a.functionalRemnantMl) << ", FLR " << formatNumber(a.flrPercent, 1) << " %\n";
-  for (const ResectionVolume& resection : a.resections) {
-    std::cout << resection.name << ": " << ml(resection.volumeMl) << ", cut area " << formatNumber(resection.cutAreaMm2, 0)
-              << " mm2\n";
-  }
-  if (!a.tumours.empty()) {
-    std::vector<std::vector<std::string>> rows{{"tumour", "state", "margin", "at least", "distance"}};
-    for (const TumourAssessment& tumour : a.tumours) {
-      rows.push_back({tumour.id + " " + tumour.name, std::string(textOf(tumour.state)), millimetres(tumour.marginMm),
-                      millimetres(tumour.marginAtLeastMm), millimetres(tumour.distanceMm)});
+std::size_t resectionIndex(const ResectionPlan& plan, const std::string& name, const std::string& flag) {
+  std::string names;
+  for (std::size_t r = 0; r < plan.resections.size(); ++r) {
+    if (plan.resections[r].name == name) {
+      return r;
     }
-    std::cout << alignedTable(rows)
-              << "margins: voxel size only; segmentation, breathing, registration and transection not included\n";
+    names += (names.empty() ? "" : ", ") + plan.resections[r].name;
   }
-  for (const VesselCrossing& vessel : a.vesselsCrossed) {
-    std::cout << "vessel crossed: " << vessel.name << " at (" << formatNumber(vessel.positionMm.x(), 1) << ", "
-              << formatNumber(vessel.positionMm.y(), 1) << ", " << formatNumber(vessel.positionMm.z(), 1) << ") mm, diameter "
-              << formatNumber(vessel.diameterMm, 1) << " mm\n";
-  }
+  throw UsageError(flag + " " + name + " is not in " + plan.name + "; it holds: " + (names.empty() ? "none" : names));
 }
 
 /// A resection that takes nothing or everything is refused: its numbers would look like a plan.
@@ -97,57 +52,213 @@ void checkDivides(const ResectionVolume& added, double totalMl, const Case& sour
     middle[axis] = box.first[a] + 0.5 * (box.size[a] - 1);
   }
   const Vec3 centre = source.liver->geometry.toWorld(middle);
-  throw UsageError("--plane does not divide the liver (" + std::string(added.volumeMl > 0 ? "all of it" : "nothing") +
+  throw UsageError("the plane does not divide the liver (" + std::string(added.volumeMl > 0 ? "all of it" : "nothing") +
                    " would be resected), so nothing was stored; the liver lies about (" + formatNumber(centre.x(), 1) + ", " +
                    formatNumber(centre.y(), 1) + ", " + formatNumber(centre.z(), 1) + ") mm");
 }
 
-int addResection(const Flags& flags, const ExecutionContext& context) {
-  Resection resection;
-  for (const std::string& plane : flags.planes) {
-    resection.planes.push_back(planeOf(plane));
+/// What one call changes and shows.
+struct Work {
+  Case source;
+  std::size_t index = 0;                   ///< of the plan
+  std::optional<std::size_t> cut;          ///< the resection that got planes
+  std::optional<MarginProposal> proposal;  ///< where one was asked for
+  bool edited = false;
+
+  [[nodiscard]] ResectionPlan& plan() { return source.plans[index]; }
+  void edit(const PlanEdit& edit) {
+    plan() = apply(plan(), edit);
+    edited = true;
   }
-  CaseFile file = CaseFile::open(flags.caseFile);
-  Case source = file.load();
-  ResectionPlan& plan = source.plans[planIndex(source.plans, flags.plan, flags.caseFile)];
-  if (!resection.planes.empty()) {
-    resection.name = "Resection " + std::to_string(plan.resections.size() + 1);
-    plan.resections.push_back(resection);
+};
+
+/// Copy, rename and delete: the list first, so that the edits of the same call go into the right plan.
+void editList(const PlanFlags& flags, Work& work) {
+  work.edited = !flags.duplicate.empty() || !flags.rename.empty() || flags.remove;
+  if (!flags.duplicate.empty()) {
+    work.source.plans = withDuplicate(work.source.plans, work.index, flags.duplicate);
+    ++work.index;
   }
-  const PlanAssessment assessment = PlanAssessor(source).assess(plan);
-  context.throwIfCancelled();
-  if (!resection.planes.empty()) {
-    checkDivides(assessment.resections.back(), assessment.totalMl, source);
-    file.storePlans(source.plans);
+  if (!flags.rename.empty()) {
+    work.source.plans = withRenamed(work.source.plans, work.index, flags.rename);
   }
-  if (flags.json) {
-    std::cout << toJson(assessment) << '\n';
-    if (!assessment.warning.empty()) {
-      complain(assessment.warning);
+  if (flags.remove) {
+    work.source.plans = without(work.source.plans, work.index);
+    work.index = 0;
+  }
+}
+
+void addPlanes(const PlanFlags& flags, Work& work, const ExecutionContext& context) {
+  std::vector<HalfSpace> planes = planesOf(flags, work.source.segmentation->geometry);
+  if (!flags.proposeMargin.empty()) {
+    work.proposal = proposeMarginPlane(work.source, flags.proposeMargin, work.plan().safetyMarginMm, context);
+    if (work.proposal->plane) {
+      planes.push_back(*work.proposal->plane);
     }
-  } else {
-    printText(assessment);
   }
+  if (planes.empty()) {
+    if (!flags.toResection.empty() && !work.proposal) {
+      throw UsageError("--resection needs a plane of the same call to add");
+    }
+    return;
+  }
+  if (flags.toResection.empty()) {
+    work.edit(AddResection{{"", planes}});
+    work.cut = work.plan().resections.size() - 1;
+    return;
+  }
+  work.cut = resectionIndex(work.plan(), flags.toResection, "--resection");
+  for (const HalfSpace& plane : planes) {
+    work.edit(AddPlane{*work.cut, plane});
+  }
+}
+
+void editIsland(const std::string& text, Work& work) {
+  const IslandAssignment island = islandOf(text);
+  if (!text.ends_with(",back")) {
+    work.edit(AssignIsland{island});
+    return;
+  }
+  constexpr double kSamePointMm = 0.1;  // as it is printed
+  const auto& islands = work.plan().islands;
+  for (std::size_t n = 0; n < islands.size(); ++n) {
+    if ((islands[n].point - island.point).norm() <= kSamePointMm) {
+      work.edit(ReleaseIsland{n});
+      return;
+    }
+  }
+  throw UsageError("--island " + text + ": no island at that point is given to a side");
+}
+
+void editPlan(const PlanFlags& flags, Work& work, const ExecutionContext& context) {
+  if (!flags.margin.empty()) {
+    work.edit(SetSafetyMargin{numberOf("--margin", flags.margin)});
+  }
+  if (!flags.removeResection.empty()) {
+    work.edit(RemoveResection{resectionIndex(work.plan(), flags.removeResection, "--remove-resection")});
+  }
+  addPlanes(flags, work, context);
+  for (const std::string& text : flags.islands) {
+    editIsland(text, work);
+  }
+  for (const std::string& text : flags.measures) {
+    work.edit(AddMeasure{measureOf(text)});
+  }
+}
+
+struct Comparison {
+  PlanComparison table;
+  std::vector<std::string> differences;  ///< of two plans
+};
+
+std::optional<Comparison> compared(const PlanFlags& flags, Work& work, const PlanAssessor& assessor) {
+  if (flags.compare.empty()) {
+    return std::nullopt;
+  }
+  std::vector<std::size_t> indices{work.index};
+  for (const std::string& name : flags.compare) {
+    indices.push_back(planIndex(work.source.plans, name, "--compare", flags.caseFile));
+  }
+  std::vector<PlanAssessment> assessments;
+  for (const std::size_t index : indices) {
+    assessments.push_back(assessor.assess(work.source.plans[index]));
+  }
+  std::vector<AssessedPlan> plans;
+  for (std::size_t n = 0; n < indices.size(); ++n) {
+    plans.push_back({work.source.plans[indices[n]], assessments[n]});
+  }
+  Comparison comparison{comparePlans(plans), {}};
+  if (plans.size() == 2) {
+    comparison.differences = differenceOf(plans[0], plans[1]);
+  }
+  return comparison;
+}
+
+Json measuresJson(const std::vector<Measure>& measures) {
+  Json json = Json::array();
+  for (const Measure& m : measures) {
+    json.push_back({{"name", m.name},
+                    {"fromMm", {m.from[0], m.from[1], m.from[2]}},
+                    {"toMm", {m.to[0], m.to[1], m.to[2]}},
+                    {"distanceMm", m.mm()}});
+  }
+  return json;
+}
+
+void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, const std::optional<Comparison>& comparison,
+          const ExecutionContext& context) {
+  const FlrCard card = flrCard(work.source.patient, assessment);
+  const std::vector<TumourMeasures> tumours = tumourMeasures(work.source, context);
+  if (!flags.json) {
+    std::cout << work.plan().name << ", safety margin " << formatExact(work.plan().safetyMarginMm) << " mm\n";
+    if (work.proposal) {
+      print(*work.proposal);
+    }
+    print(assessment);
+    print(tumours);
+    print(work.plan().measures);
+    print(card);
+    if (comparison) {
+      print(comparison->table, comparison->differences);
+    }
+    return;
+  }
+  Json json = Json::parse(toJson(assessment));
+  json["plan"] = work.plan().name;
+  json["safetyMarginMm"] = work.plan().safetyMarginMm;
+  json["warning"] = assessment.warning.empty() ? Json(nullptr) : Json(assessment.warning);
+  json["tumourMeasures"] = Json::parse(toJson(tumours));
+  json["measures"] = measuresJson(work.plan().measures);
+  json["flrCard"] = Json::parse(toJson(card));
+  if (work.proposal) {
+    json["marginProposal"] = Json::parse(toJson(*work.proposal));
+  }
+  if (comparison) {
+    json["comparison"] = Json::parse(toJson(comparison->table, comparison->differences));
+  }
+  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  if (!assessment.warning.empty()) {
+    complain(assessment.warning);
+  }
+}
+
+int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
+  CaseFile file = CaseFile::open(flags.caseFile);
+  Work work{file.load(), 0, {}, {}, false};
+  work.index = planIndex(work.source.plans, flags.plan, "--plan", flags.caseFile);
+  const PatientFacts before = work.source.patient;
+  try {
+    editList(flags, work);
+    editPlan(flags, work, context);
+    work.source.patient = factsOf(flags, before);
+    validate(work.source.patient);
+  } catch (const PlanningError& error) {
+    throw UsageError(error.what());  // what was typed does not fit this case
+  }
+  const PlanAssessor assessor(work.source);
+  const PlanAssessment assessment = assessor.assess(work.plan());
+  context.throwIfCancelled();
+  if (work.cut) {
+    checkDivides(assessment.resections[*work.cut], assessment.totalMl, work.source);
+  }
+  const std::optional<Comparison> comparison = compared(flags, work, assessor);
+  if (work.edited && !flags.dryRun) {
+    file.storePlans(work.source.plans);
+  }
+  if (work.source.patient != before && !flags.dryRun) {
+    file.storePatient(work.source.patient);
+  }
+  show(flags, work, assessment, comparison, context);
   return kDone;
 }
 
 }  // namespace
 
 void addPlan(CLI::App& app, Action& chosen) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<PlanFlags>();
   auto* command = app.add_subcommand("plan", "Add a resection to a case's plan and print the plan's assessment");
-  command->add_option("CASE", flags->caseFile, "The .glisson case")->required();
-  command
-      ->add_option(
-          "--plane", flags->planes,
-          "ox,oy,oz,nx,ny,nz: a point (mm LPS) and the direction to the resected side; several bound one resection together; "
-          "none: only the assessment")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--plan", flags->plan, "The plan's name (default: the first)");
-  command->add_flag("--json", flags->json, "JSON on stdout");
-  command->callback(
-      [flags, &chosen] { chosen = [flags](const ExecutionContext& context) { return addResection(*flags, context); }; });
+  addPlanFlags(*command, *flags);
+  command->callback([flags, &chosen] { chosen = [flags](const ExecutionContext& context) { return runPlan(*flags, context); }; });
 }
 
 }  // namespace glisson::cli

@@ -279,6 +279,7 @@ void Document::assessVolumes() {
   shown.totalMl = fresh.totalMl;
   shown.tumourMl = fresh.tumourMl;
   shown.functionalMl = fresh.functionalMl;
+  shown.divides = fresh.divides;
   shown.resectedMl = fresh.resectedMl;
   shown.remnantMl = fresh.remnantMl;
   shown.volumeUncertaintyMl = fresh.volumeUncertaintyMl;

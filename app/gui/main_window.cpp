@@ -24,6 +24,7 @@
 #include "app/gui/structure_list.h"
 #include "app/gui/title_line.h"
 #include "app/gui/view_area.h"
+#include "planning/resection/place_plane.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {

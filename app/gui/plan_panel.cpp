@@ -123,7 +123,8 @@ void PlanPanel::refreshVolumes() {
   const QString missing = document_.isOpen() && !known ? tr("computing") : QString();
   const auto show = [&](BigNumber& number, double ml, double percent) {
     number.setNote(missing);
-    number.setValue(known ? mlText(ml) : QStringLiteral("- mL"), known ? percentText(percent) : QStringLiteral("- %"));
+    const bool stands = known && now.divides;
+    number.setValue(stands ? mlText(ml) : QStringLiteral("- mL"), stands ? percentText(percent) : QStringLiteral("- %"));
   };
   show(*flr_, now.functionalRemnantMl, now.flrPercent);
   show(*resected_, now.resectedMl, now.totalMl > 0 ? 100 * now.resectedMl / now.totalMl : 0);

@@ -22,6 +22,7 @@ std::span<const SentenceRow> dicomSentences();
 std::span<const SentenceRow> readingSentences();
 std::span<const SentenceRow> modelSentences();
 std::span<const SentenceRow> planningSentences();
+std::span<const SentenceRow> planSentences();
 std::span<const SentenceRow> windowSentences();
 std::span<const SentenceRow> knownNames();
 

@@ -47,8 +47,8 @@ std::vector<Template> toTemplates(std::initializer_list<std::span<const Sentence
 }
 
 const std::vector<Template>& sentenceTemplates() {
-  static const std::vector<Template> kTemplates =
-      toTemplates({dicomSentences(), readingSentences(), modelSentences(), planningSentences(), windowSentences()});
+  static const std::vector<Template> kTemplates = toTemplates(
+      {dicomSentences(), readingSentences(), modelSentences(), planningSentences(), planSentences(), windowSentences()});
   return kTemplates;
 }
 

@@ -56,6 +56,7 @@ constexpr auto kNames = std::to_array<SentenceRow>({
     {"n", QT_TRANSLATE_NOOP("Sentence", "label %1")},
     {"kn", QT_TRANSLATE_NOOP("Sentence", "%1 of layer %2")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Resection %1")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "Distance %1")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Plan %1")},
 });
 

@@ -196,6 +196,11 @@ ExportResult exportPackage(const Case& source, const std::filesystem::path& dire
   stamped.timestamp = options.timestamp.empty() ? timestampNow() : options.timestamp;
   requireTimestamp(stamped.timestamp);
   const ResectionPlan& plan = chosenPlan(source, options.planName);
+  if (!plan.islands.empty()) {
+    // The meshes are cut by planes alone: the volumes beside them would be another plan's.
+    throw PlanningError(
+        "The plan gives islands to the other side, which the exported meshes do not show: give them back, then export again.");
+  }
   context.report(0.0, "Checking");
   const std::vector<PackageMesh> meshes = packageMeshes(source, plan, stamped, context.range(0.0, 0.5));
   const std::string name =

@@ -84,6 +84,18 @@ Json assessmentOf(const Case& source, PlanAssessment assessment) {
   return Json::parse(toJson(assessment));
 }
 
+Json measuresOf(const Case& source, const ResectionPlan& plan) {
+  Json json = Json::array();
+  for (std::size_t n = 0; n < plan.measures.size(); ++n) {
+    const Measure& measure = plan.measures[n];
+    json.push_back({{"name", pseudonymous(measure.name, "Distance " + std::to_string(n + 1), source)},
+                    {"fromMm", toArray(measure.from)},
+                    {"toMm", toArray(measure.to)},
+                    {"distanceMm", measure.mm()}});
+  }
+  return json;
+}
+
 Json filesOf(const std::vector<FileEntry>& files) {
   Json json = Json::array();
   for (const FileEntry& entry : files) {
@@ -123,6 +135,7 @@ std::string planText(const Case& source, const ResectionPlan& plan, const Export
       json["remnant"].push_back(mesh.named.id);
     }
   }
+  json["measures"] = measuresOf(source, plan);
   json["assessment"] = assessmentOf(source, assessment);
   json["structures"] = Json::array();
   for (const Structure& structure : source.model->structures) {

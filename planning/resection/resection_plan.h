@@ -14,29 +14,40 @@ struct Resection {
   std::vector<HalfSpace> planes;  ///< resected = inside all of them
 };
 
+enum class PlanSide : std::uint8_t { Resected, Remnant };
+
+/// A separated piece of one side that is given to the other side (method.md 5): the piece that holds `point`. Where the planes have
+/// moved and no separated piece of the other side is there any more, it has no effect, and the assessment says so.
+struct IslandAssignment {
+  Vec3 point = Vec3::Zero();  ///< mm LPS
+  PlanSide to = PlanSide::Resected;
+};
+
+/// A distance the user has measured; kept with the plan.
+struct Measure {
+  std::string name;  ///< "Distance 1"
+  Vec3 from = Vec3::Zero();
+  Vec3 to = Vec3::Zero();
+
+  [[nodiscard]] double mm() const { return (to - from).norm(); }
+};
+
 struct ResectionPlan {
   std::string name;  ///< "Plan 1"
   std::vector<Resection> resections;
   double safetyMarginMm = 10.0;
+  std::vector<IslandAssignment> islands{};
+  std::vector<Measure> measures{};
 };
 
-/// One edit of a plane: a pure value. The undo step keeps the plan before and after.
-struct MovePlane {
-  std::size_t resection = 0;
-  std::size_t plane = 0;
-  HalfSpace to;
-};
-/// Throws PlanningError where the indices do not exist or the normal is not finite and non-zero; the normal is made unit.
-ResectionPlan apply(const ResectionPlan& plan, const MovePlane& edit);
+/// With a unit normal. Throws PlanningError where origin or normal is not finite or the normal is zero.
+HalfSpace checkedPlane(const HalfSpace& plane);
 
 /// Translates along the plane's own normal (mm), or within the plane.
 HalfSpace movedAlongNormal(const HalfSpace& plane, double mm);
+/// The other side resected.
+HalfSpace flipped(const HalfSpace& plane);
 /// Turned by `radians` about a world axis through the plane's origin.
 HalfSpace turned(const HalfSpace& plane, const Vec3& axis, double radians);
-
-/// The first plane as the user sees it: through the liver's centre `centre`, its normal to the right of the picture seen from the
-/// camera (perpendicular to view direction and up), so the cut is seen edge-on. Throws PlanningError where direction and up are
-/// parallel.
-HalfSpace planeFromCamera(const Vec3& centre, const Vec3& viewDirection, const Vec3& viewUp);
 
 }  // namespace glisson

@@ -189,6 +189,13 @@ void CaseFile::storePlans(const std::vector<ResectionPlan>& plans) {
   }
 }
 
+void CaseFile::storePatient(const PatientFacts& facts) {
+  impl_->requireWriter();
+  Transaction transaction(impl_->database);
+  caseTables::writePatient(impl_->database, facts);
+  transaction.commit();
+}
+
 void CaseFile::storeModel(const LiverModel& model) {
   impl_->requireWriter();
   caseTables::StoredMeshes meshes = impl_->meshes;

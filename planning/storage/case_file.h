@@ -33,6 +33,8 @@ class CaseFile {
   /// Replaces the plans in one committed transaction, together with its undo record; equal plans are no edit. Throws InputError
   /// where the file is read-only or the disk is full, PlanningError where a plane is not finite; the file then holds what it held.
   void storePlans(const std::vector<ResectionPlan>& plans);
+  /// Replaces what the user said about the patient in one committed transaction, without an undo record. Throws as storePlans().
+  void storePatient(const PatientFacts& facts);
   /// Replaces the model (structures, colours, meshes) in one committed transaction.
   void storeModel(const LiverModel& model);
   /// The undo records of the newest `atMost` edits, oldest first: also those made before the program was last closed.

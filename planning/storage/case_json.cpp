@@ -103,6 +103,13 @@ Json fromPlans(const std::vector<ResectionPlan>& plans) {
       resections.push_back({{"name", resection.name}, {"planes", planes}});
     }
     json.push_back({{"name", plan.name}, {"safetyMarginMm", plan.safetyMarginMm}, {"resections", resections}});
+    for (const IslandAssignment& island : plan.islands) {
+      json.back()["islands"].push_back({{"pointMm", fromVector(island.point)}, {"toResected", island.to == PlanSide::Resected}});
+    }
+    for (const Measure& measure : plan.measures) {
+      json.back()["measures"].push_back(
+          {{"name", measure.name}, {"fromMm", fromVector(measure.from)}, {"toMm", fromVector(measure.to)}});
+    }
   }
   return json;
 }
@@ -125,9 +132,51 @@ std::vector<ResectionPlan> toPlans(const Json& json) {
       }
       plan.resections.push_back(std::move(resection));
     }
+    if (item.contains("islands")) {
+      for (const Json& island : item.at("islands")) {
+        const bool toResected = island.at("toResected");
+        plan.islands.push_back({toVector(island.at("pointMm")), toResected ? PlanSide::Resected : PlanSide::Remnant});
+      }
+    }
+    if (item.contains("measures")) {
+      for (const Json& measure : item.at("measures")) {
+        plan.measures.push_back({measure.at("name"), toVector(measure.at("fromMm")), toVector(measure.at("toMm"))});
+      }
+    }
     plans.push_back(std::move(plan));
   }
   return plans;
+}
+
+Json fromFacts(const PatientFacts& facts) {
+  Json json;
+  json["heightCm"] = facts.heightCm ? Json(*facts.heightCm) : Json();
+  json["weightKg"] = facts.weightKg ? Json(*facts.weightKg) : Json();
+  json["condition"] = facts.condition ? Json(idOf(*facts.condition)) : Json();
+  json["tumourType"] = facts.tumourType ? Json(idOf(*facts.tumourType)) : Json();
+  return json;
+}
+
+PatientFacts toFacts(const Json& json) {
+  PatientFacts facts;
+  const auto has = [&](const char* key) { return !json.at(key).is_null(); };
+  if (has("heightCm")) {
+    facts.heightCm = json.at("heightCm").get<double>();
+  }
+  if (has("weightKg")) {
+    facts.weightKg = json.at("weightKg").get<double>();
+  }
+  if (has("condition")) {
+    facts.condition = conditionFromId(json.at("condition").get<std::string>());
+  }
+  if (has("tumourType")) {
+    facts.tumourType = tumourTypeFromId(json.at("tumourType").get<std::string>());
+  }
+  if (has("condition") != facts.condition.has_value() || has("tumourType") != facts.tumourType.has_value()) {
+    throw std::runtime_error("the patient has an unknown liver condition or tumour type");
+  }
+  validate(facts);
+  return facts;
 }
 
 Json fromIdentity(const PatientIdentity& p) {

@@ -13,6 +13,10 @@ using Json = nlohmann::ordered_json;
 Json fromPlans(const std::vector<ResectionPlan>& plans);
 std::vector<ResectionPlan> toPlans(const Json& json);
 
+Json fromFacts(const PatientFacts& facts);
+/// Validated.
+PatientFacts toFacts(const Json& json);
+
 Json fromIdentity(const PatientIdentity& identity);
 PatientIdentity toIdentity(const Json& json);
 

@@ -130,6 +130,18 @@ std::string plansText(const std::vector<ResectionPlan>& plans) {
   }
   return text;
 }
+
+std::int64_t versionOf(const Database& database) { return database.number("PRAGMA user_version"); }
+
+void setVersion(const Database& database) { database.execute(("PRAGMA user_version=" + std::to_string(kVersion)).c_str()); }
+
+/// What an edit of an older file has to do first; part of the edit's transaction.
+void bringUpToDate(const Database& database) {
+  if (versionOf(database) < kVersion) {
+    putDocument(database, "patient", textOf(caseJson::fromFacts({})));
+    setVersion(database);
+  }
+}
 }  // namespace
 
 void createTables(const Database& database) {
@@ -139,7 +151,7 @@ void createTables(const Database& database) {
       "CREATE TABLE ct_file(name TEXT PRIMARY KEY, bytes INTEGER NOT NULL, sha256 TEXT NOT NULL) STRICT;"
       "CREATE TABLE history(step INTEGER PRIMARY KEY, before TEXT NOT NULL, after TEXT NOT NULL) STRICT;");
   database.execute(("PRAGMA application_id=" + std::to_string(kApplicationId)).c_str());
-  database.execute(("PRAGMA user_version=" + std::to_string(kVersion)).c_str());
+  setVersion(database);
 }
 
 void writeCase(const Database& database, const Case& source, StoredMeshes& stored) {
@@ -157,6 +169,7 @@ void writeCase(const Database& database, const Case& source, StoredMeshes& store
   writeSegmentation(database, *source.segmentation);
   writeModel(database, source.model ? *source.model : LiverModel(), stored);
   putDocument(database, "plans", plansText(source.plans));
+  writePatient(database, source.patient);
   if (!source.ctSource.empty()) {
     for (const CtFileHash& file : hashCtFiles(source.ctSource)) {
       Statement(database, "INSERT INTO ct_file(name, bytes, sha256) VALUES(?, ?, ?)")
@@ -199,12 +212,19 @@ bool writePlans(const Database& database, const std::vector<ResectionPlan>& plan
   if (before == after) {
     return false;
   }
+  bringUpToDate(database);
   putDocument(database, "plans", after);
   Statement(database, "INSERT INTO history(before, after) VALUES(?, ?)")
       .bind(0, std::string_view(before))
       .bind(1, std::string_view(after))
       .step();
   return true;
+}
+
+void writePatient(const Database& database, const PatientFacts& facts) {
+  validate(facts);
+  bringUpToDate(database);
+  putDocument(database, "patient", textOf(caseJson::fromFacts(facts)));
 }
 
 Case readCase(const Database& database, StoredMeshes& stored) {
@@ -225,6 +245,9 @@ Case readCase(const Database& database, StoredMeshes& stored) {
     read.liver = std::move(liver);
     read.model = readModel(database, read.segmentation->structures.size(), stored);
     read.plans = caseJson::toPlans(Json::parse(documentText(database, "plans")));
+    if (versionOf(database) > 1) {
+      read.patient = caseJson::toFacts(Json::parse(documentText(database, "patient")));
+    }
     return read;
   } catch (const Json::exception&) {
     damaged(database, "a document has not the form of version " + std::to_string(kVersion));

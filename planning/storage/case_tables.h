@@ -1,9 +1,11 @@
 #pragma once
-// Purpose: a case in the tables of its database, version 1. Private to storage/.
-//   document(key, json, crc)   'case', 'segmentation', 'model', 'plans'; crc is CRC-32 of the text
+// Purpose: a case in the tables of its database, version 2. Private to storage/.
+//   document(key, json, crc)   'case', 'segmentation', 'model', 'plans', 'patient'; crc is CRC-32 of the text
 //   part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h
 //   ct_file(name, bytes, sha256)
 //   history(step, before, after)   the plans before and after each edit
+// Version 1 has no 'patient' and plans without islands and measures. It is read as it is, and becomes version 2 in the transaction
+// of the first edit of its plans or patient: an older program then refuses it instead of dropping what it does not know.
 
 #include <map>
 
@@ -14,7 +16,7 @@
 namespace glisson::caseTables {
 
 inline constexpr std::int64_t kApplicationId = 0x476C6973;  ///< "Glis"
-inline constexpr std::int64_t kVersion = 1;
+inline constexpr std::int64_t kVersion = 2;
 
 /// What the meshes in the file were written from, so that an unchanged mesh is not written again.
 using StoredMeshes = std::map<std::string, std::shared_ptr<const Reconstruction>>;
@@ -25,6 +27,8 @@ void writeCase(const Database& database, const Case& source, StoredMeshes& store
 void writeModel(const Database& database, const LiverModel& model, StoredMeshes& stored);
 /// Replaces the plans and appends the edit to the history; false where nothing changed.
 bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans);
+/// Replaces what the user said about the patient.
+void writePatient(const Database& database, const PatientFacts& facts);
 Case readCase(const Database& database, StoredMeshes& stored);
 std::string readCtSource(const Database& database);
 std::vector<CtFileHash> readCtFiles(const Database& database);

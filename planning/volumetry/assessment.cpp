@@ -3,10 +3,25 @@
 #include <cmath>
 
 #include "planning/volumetry/resected.h"
+#include "planning/volumetry/side_pieces.h"
 #include "planning/volumetry/tumour_margin.h"
 #include "planning/volumetry/vessel_crossings.h"
+#include "reconstruction/text.h"
 
 namespace glisson {
+
+namespace {
+/// A plan where the voxels are; the sides' pieces where they are needed.
+struct PlanInImage {
+  const ResectionPlan& source;
+  std::vector<ImageResection> resections;
+  std::optional<SidePieces> sides;
+
+  [[nodiscard]] bool hasSwitched() const {
+    return sides && (sides->anySwitched(PlanSide::Resected) || sides->anySwitched(PlanSide::Remnant));
+  }
+};
+}  // namespace
 
 struct PlanAssessor::Impl {
   struct Part {
@@ -26,9 +41,10 @@ struct PlanAssessor::Impl {
   [[nodiscard]] double ml(std::int64_t units) const {
     return static_cast<double>(units) / kUnitsPerVoxel * geometry.voxelVolumeMm3() * kMlPerMm3;
   }
-  [[nodiscard]] PlanAssessment volumes(const std::vector<ImageResection>& plan, const ResectionPlan& names) const;
-  [[nodiscard]] TumourAssessment assessTumour(const Part& tumour, const std::vector<ImageResection>& plan,
-                                              const CutDistance& cut) const;
+  [[nodiscard]] PlanAssessment volumes(const PlanInImage& plan) const;
+  void addVolumes(PlanAssessment& result, const Resected& inLiver, std::int64_t resected, std::int64_t diseased) const;
+  [[nodiscard]] std::vector<IslandAssessment> listIslands(const PlanInImage& plan) const;
+  [[nodiscard]] TumourAssessment assessTumour(const Part& tumour, const PlanInImage& plan, const CutDistance& cut) const;
 };
 
 namespace {
@@ -78,16 +94,55 @@ PlanAssessor::~PlanAssessor() = default;
 PlanAssessor::PlanAssessor(PlanAssessor&&) noexcept = default;
 PlanAssessor& PlanAssessor::operator=(PlanAssessor&&) noexcept = default;
 
-PlanAssessment PlanAssessor::Impl::volumes(const std::vector<ImageResection>& plan, const ResectionPlan& names) const {
-  const Resected inLiver = resect(liver, geometry.spacing, plan);
-  const Resected inLesions = resect(lesionsInLiver, geometry.spacing, plan);
+namespace {
+std::string noIsland(const Vec3& point) {
+  return "The piece at (" + formatNumber(point[0], 1) + ", " + formatNumber(point[1], 1) + ", " + formatNumber(point[2], 1) +
+         ") mm is no island of its own, so it counts on the side where the planes leave it.";
+}
+
+void addSentence(std::string& text, const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; }
+
+/// The runs that have a piece of the surface, voxel by voxel: each piece has then one voxel before it and one behind. `origin`:
+/// each voxel's run among `rows`.
+VoxelRows voxelsAlong(const std::vector<CutPiece>& pieces, const VoxelRows& rows, std::vector<std::size_t>& origin) {
+  VoxelRows voxels;
+  std::size_t done = rows.runs.size();
+  for (const CutPiece& piece : pieces) {
+    if (piece.run == done) {
+      continue;
+    }
+    done = piece.run;
+    const RowRun& run = rows.runs[piece.run];
+    for (int i = run.i; i < run.i + run.n; ++i) {
+      voxels.runs.push_back({i, run.j, run.k, 1});
+      origin.push_back(piece.run);
+    }
+    voxels.voxels += static_cast<std::size_t>(run.n);
+  }
+  return voxels;
+}
+
+/// The resection surface once islands are where they belong.
+std::vector<CutPiece> surfaceOf(const VoxelRows& rows, const Vec3& spacing, const PlanInImage& plan) {
+  std::vector<CutPiece> pieces = cutSurface(rows, spacing, plan.resections);
+  if (plan.hasSwitched()) {
+    std::vector<std::size_t> origin;
+    const VoxelRows voxels = voxelsAlong(pieces, rows, origin);
+    pieces = cutSurface(voxels, spacing, plan.resections);
+    std::erase_if(pieces, [&](const CutPiece& piece) { return !plan.sides->separates(piece, plan.resections); });
+    for (CutPiece& piece : pieces) {
+      piece.run = origin[piece.run];
+    }
+  }
+  return pieces;
+}
+}  // namespace
+
+void PlanAssessor::Impl::addVolumes(PlanAssessment& result, const Resected& inLiver, std::int64_t resected,
+                                    std::int64_t diseased) const {
   const std::int64_t total = unitsOf(liver);
   const std::int64_t functional = total - unitsOf(lesionsInLiver);
-  const std::int64_t resected = inLiver.totalUnits();
-  const std::int64_t functionalRemnant = functional - (resected - inLesions.totalUnits());
-
-  PlanAssessment result;
-  result.modelRevision = modelRevision;
+  const std::int64_t functionalRemnant = functional - (resected - diseased);
   result.totalMl = ml(total);
   result.tumourMl = tumourMl;
   result.functionalMl = ml(functional);
@@ -95,62 +150,142 @@ PlanAssessment PlanAssessor::Impl::volumes(const std::vector<ImageResection>& pl
   result.functionalRemnantMl = ml(functionalRemnant);
   result.flrPercent = functional > 0 ? 100.0 * static_cast<double>(functionalRemnant) / static_cast<double>(functional) : 0.0;
   double area = 0;
-  for (std::size_t r = 0; r < plan.size(); ++r) {
-    result.resections.push_back({resectionName(names.resections[r], r), ml(inLiver.units[r]), inLiver.cutAreaMm2[r]});
+  for (std::size_t r = 0; r < result.resections.size(); ++r) {
+    result.resections[r].volumeMl = ml(inLiver.units[r]);
+    result.resections[r].cutAreaMm2 = inLiver.cutAreaMm2[r];
     area += inLiver.cutAreaMm2[r];
+  }
+  // A surface's place is uncertain by half a slice; the slice axis is the one with the widest voxels.
+  result.volumeUncertaintyMl = 0.5 * geometry.spacing.maxCoeff() * area * kMlPerMm3;
+}
+
+PlanAssessment PlanAssessor::Impl::volumes(const PlanInImage& plan) const {
+  Resected inLiver = resect(liver, geometry.spacing, plan.resections);
+  const std::int64_t total = unitsOf(liver);
+  const std::int64_t byPlanes = inLiver.totalUnits();
+
+  PlanAssessment result;
+  result.modelRevision = modelRevision;
+  result.divides = plan.resections.empty() || (byPlanes > 0 && byPlanes < total);
+  for (std::size_t r = 0; r < plan.resections.size(); ++r) {
+    result.resections.push_back({resectionName(plan.source.resections[r], r), 0, 0});
     if (inLiver.units[r] == 0 || inLiver.units[r] == total) {
       result.warning += (result.warning.empty() ? "" : " ") + result.resections.back().name +
                         " does not divide the liver: " + (inLiver.units[r] == 0 ? "nothing" : "all of it") + " is resected.";
     }
   }
-  // A surface's place is uncertain by half a slice; the slice axis is the one with the widest voxels.
-  result.volumeUncertaintyMl = 0.5 * geometry.spacing.maxCoeff() * area * kMlPerMm3;
+  std::int64_t resected = byPlanes;
+  std::int64_t diseased = resect(lesionsInLiver, geometry.spacing, plan.resections).totalUnits();
+  if (plan.hasSwitched()) {
+    resected += plan.sides->switchedUnits(liver, plan.resections);
+    diseased += plan.sides->switchedUnits(lesionsInLiver, plan.resections);
+    std::fill(inLiver.cutAreaMm2.begin(), inLiver.cutAreaMm2.end(), 0.0);
+    for (const CutPiece& piece : surfaceOf(liver, geometry.spacing, plan)) {
+      inLiver.cutAreaMm2[piece.resection] += areaOf(piece.polygon);
+    }
+  }
+  addVolumes(result, inLiver, resected, diseased);
   return result;
 }
 
-TumourAssessment PlanAssessor::Impl::assessTumour(const Part& tumour, const std::vector<ImageResection>& plan,
-                                                  const CutDistance& cut) const {
+std::vector<IslandAssessment> PlanAssessor::Impl::listIslands(const PlanInImage& plan) const {
+  std::vector<std::int64_t> diseased;
+  (void)plan.sides->switchedUnits(lesionsInLiver, plan.resections, &diseased);
+  std::vector<IslandAssessment> islands;
+  for (std::size_t n = 0; n < plan.sides->pieces().size(); ++n) {
+    const SidePiece& piece = plan.sides->pieces()[n];
+    if (!piece.main && (piece.switched || ml(piece.units) > kListedIslandMl)) {
+      islands.push_back({piece.side, piece.switched, ml(piece.units), ml(piece.units - diseased[n]),
+                         geometry.origin + geometry.direction * piece.point});
+    }
+  }
+  std::stable_sort(islands.begin(), islands.end(),
+                   [](const IslandAssessment& a, const IslandAssessment& b) { return a.volumeMl > b.volumeMl; });
+  return islands;
+}
+
+TumourAssessment PlanAssessor::Impl::assessTumour(const Part& tumour, const PlanInImage& plan, const CutDistance& cut) const {
   TumourAssessment result;
   result.id = tumour.id;
   result.name = tumour.name;
-  const std::int64_t resected = resect(tumour.rows, geometry.spacing, plan).totalUnits();
+  std::int64_t resected = resect(tumour.rows, geometry.spacing, plan.resections).totalUnits();
+  if (plan.hasSwitched()) {
+    resected += plan.sides->switchedUnits(tumour.rows, plan.resections);
+  }
   if (resected > 0 && resected < unitsOf(tumour.rows)) {
-    Vec3 normal;
     result.state = TumourState::Cut;
-    result.marginMm = -greatestDepth(tumour.rows, geometry.spacing, plan, normal);
-    result.marginAtLeastMm = *result.marginMm - resolutionMm(normal, geometry.spacing);
+    if (!plan.hasSwitched()) {  // the depth to a region that is no intersection of half-spaces is not known
+      Vec3 normal;
+      result.marginMm = -greatestDepth(tumour.rows, geometry.spacing, plan.resections, normal);
+      result.marginAtLeastMm = *result.marginMm - resolutionMm(normal, geometry.spacing);
+    }
     return result;
   }
   result.state = resected == 0 ? TumourState::Left : TumourState::Removed;
-  const CutDistance::Way way = cut.shortest(tumour.rows, geometry.spacing);
-  if (!std::isfinite(way.mm)) {
+  const Margin margin = marginOf(tumour.rows, geometry.spacing, cut, plan.resections);
+  if (!std::isfinite(margin.mm)) {
     return result;
   }
   if (result.state == TumourState::Left) {
-    result.distanceMm = way.mm;
+    result.distanceMm = margin.mm;
     return result;
   }
-  const CutPiece& piece = cut.pieces()[way.piece];
-  const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : plan[piece.resection].planes[piece.plane].normal;
-  result.marginMm = way.mm;
-  result.marginAtLeastMm = way.mm - resolutionMm(along, geometry.spacing);
+  result.marginMm = margin.mm;
+  result.marginAtLeastMm = margin.atLeast;
   return result;
 }
 
-PlanAssessment PlanAssessor::volumes(const ResectionPlan& plan) const {
-  return impl_->volumes(toImage(plan, impl_->geometry), plan);
+namespace {
+/// The sides' pieces, each island where the plan gives it; says in `warning` what has no effect.
+SidePieces sidesOf(const VoxelRows& liver, const ImageGeometry& geometry, const PlanInImage& plan, std::string& warning) {
+  SidePieces sides(liver, geometry.spacing, plan.resections);
+  for (const IslandAssignment& island : plan.source.islands) {
+    if (!sides.switchAt(geometry.direction.transpose() * (island.point - geometry.origin), island.to)) {
+      addSentence(warning, noIsland(island.point));
+    }
+  }
+  return sides;
+}
+}  // namespace
+
+PlanAssessment PlanAssessor::volumes(const ResectionPlan& source) const {
+  PlanInImage plan{source, toImage(source, impl_->geometry), {}};
+  std::string warning;
+  if (!source.islands.empty()) {
+    plan.sides = sidesOf(impl_->liver, impl_->geometry, plan, warning);
+  }
+  PlanAssessment result = impl_->volumes(plan);
+  if (!warning.empty()) {
+    addSentence(result.warning, warning);
+  }
+  return result;
 }
 
-PlanAssessment PlanAssessor::assess(const ResectionPlan& plan) const {
-  const std::vector<ImageResection> resections = toImage(plan, impl_->geometry);
-  PlanAssessment result = impl_->volumes(resections, plan);
-  const CutDistance cut(impl_->tumours.empty() ? std::vector<CutPiece>()
-                                               : cutSurface(impl_->liver, impl_->geometry.spacing, resections));
+PlanAssessment PlanAssessor::assess(const ResectionPlan& source) const {
+  PlanInImage plan{source, toImage(source, impl_->geometry), {}};
+  const Vec3& spacing = impl_->geometry.spacing;
+  std::string warning;
+  if (!source.resections.empty() || !source.islands.empty()) {
+    plan.sides = sidesOf(impl_->liver, impl_->geometry, plan, warning);
+  }
+  PlanAssessment result = impl_->volumes(plan);
+  if (!warning.empty()) {
+    addSentence(result.warning, warning);
+  }
+  if (plan.sides && result.divides) {
+    result.islands = impl_->listIslands(plan);
+  }
+  const CutDistance cut(impl_->tumours.empty() ? std::vector<CutPiece>() : surfaceOf(impl_->liver, spacing, plan));
   for (const Impl::Part& tumour : impl_->tumours) {
-    result.tumours.push_back(impl_->assessTumour(tumour, resections, cut));
+    result.tumours.push_back(impl_->assessTumour(tumour, plan, cut));
+    if (result.tumours.back().state == TumourState::Cut && !result.tumours.back().marginMm) {
+      addSentence(result.warning,
+                  "The margin of " + tumour.name + " is not measured while it is cut and islands are given to a side.");
+    }
   }
   for (const Impl::Part& vessel : impl_->vessels) {
-    auto crossings = vesselCrossings(vessel.id, vessel.name, vessel.rows, impl_->geometry, resections);
+    const std::vector<CutPiece> pieces = surfaceOf(vessel.rows, spacing, plan);
+    auto crossings = vesselCrossings(vessel.id, vessel.name, vessel.rows, pieces, impl_->geometry, plan.resections);
     result.vesselsCrossed.insert(result.vesselsCrossed.end(), crossings.begin(), crossings.end());
   }
   return result;

@@ -14,6 +14,9 @@ enum class TumourState : std::uint8_t { Removed, Cut, Left };
 /// "removed", "cut", "left".
 std::string_view textOf(TumourState state);
 
+/// "resected", "remnant".
+std::string_view textOf(PlanSide side);
+
 struct TumourAssessment {
   std::string id;
   std::string name;
@@ -36,7 +39,19 @@ struct ResectionVolume {
   double cutAreaMm2 = 0;
 };
 
+/// A separated piece that is not the main one of its side (side_pieces.h), of more than kListedIslandMl or given to the other side.
+struct IslandAssessment {
+  PlanSide side = PlanSide::Remnant;  ///< as the planes leave it
+  bool assigned = false;              ///< given to the other side, where its volumes count
+  double volumeMl = 0;
+  double functionalMl = 0;
+  Vec3 point = Vec3::Zero();  ///< mm LPS, a voxel's centre inside it: names it in IslandAssignment
+};
+inline constexpr double kListedIslandMl = 1.0;
+
 struct PlanAssessment {
+  /// False where the plan has resections but takes nothing or all of L: resected, remnant and FLR are then no plan's numbers.
+  bool divides = true;
   double totalMl = 0;       ///< |L|
   double tumourMl = 0;      ///< |T|
   double functionalMl = 0;  ///< |F|
@@ -44,11 +59,12 @@ struct PlanAssessment {
   double remnantMl = 0;            ///< resected + remnant = total exactly
   double volumeUncertaintyMl = 0;  ///< half the slice-direction box width x cut area
   double functionalRemnantMl = 0;
-  double flrPercent = 0;  ///< functional remnant / functional
-  std::vector<ResectionVolume> resections;
+  double flrPercent = 0;                    ///< functional remnant / functional
+  std::vector<ResectionVolume> resections;  ///< as the planes leave them, without islands that are given to a side
+  std::vector<IslandAssessment> islands;    ///< largest first; only in assess()
   std::vector<TumourAssessment> tumours;
   std::vector<VesselCrossing> vesselsCrossed;
-  std::string warning;              ///< e.g. "the plane does not divide the liver": volumes then stand as all or nothing
+  std::string warning;              ///< e.g. "Resection 1 does not divide the liver: nothing is resected."
   std::uint64_t modelRevision = 0;  ///< what it came from
 };
 

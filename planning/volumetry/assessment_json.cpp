@@ -22,21 +22,34 @@ std::string_view textOf(TumourState state) {
   return "left";
 }
 
+std::string_view textOf(PlanSide side) { return side == PlanSide::Resected ? "resected" : "remnant"; }
+
 std::string toJson(const PlanAssessment& assessment) {
   using Json = nlohmann::ordered_json;
   Json json;
   json["totalMl"] = assessment.totalMl;
   json["tumourMl"] = assessment.tumourMl;
   json["functionalMl"] = assessment.functionalMl;
-  json["resectedMl"] = assessment.resectedMl;
-  json["remnantMl"] = assessment.remnantMl;
-  json["volumeUncertaintyMl"] = assessment.volumeUncertaintyMl;
-  json["functionalRemnantMl"] = assessment.functionalRemnantMl;
-  json["flrPercent"] = assessment.flrPercent;
+  // A surface that does not divide the liver gives no volumes.
+  const auto known = [&](double value) { return assessment.divides ? Json(value) : Json(nullptr); };
+  json["resectedMl"] = known(assessment.resectedMl);
+  json["remnantMl"] = known(assessment.remnantMl);
+  json["volumeUncertaintyMl"] = known(assessment.volumeUncertaintyMl);
+  json["functionalRemnantMl"] = known(assessment.functionalRemnantMl);
+  json["flrPercent"] = known(assessment.flrPercent);
   json["resections"] = Json::array();
   for (const ResectionVolume& resection : assessment.resections) {
     json["resections"].push_back(
-        {{"name", resection.name}, {"volumeMl", resection.volumeMl}, {"cutAreaMm2", resection.cutAreaMm2}});
+        {{"name", resection.name}, {"volumeMl", known(resection.volumeMl)}, {"cutAreaMm2", resection.cutAreaMm2}});
+  }
+  json["islands"] = Json::array();
+  for (const IslandAssessment& island : assessment.islands) {
+    const Vec3& p = island.point;
+    json["islands"].push_back({{"side", textOf(island.side)},
+                               {"assigned", island.assigned},
+                               {"volumeMl", island.volumeMl},
+                               {"functionalMl", island.functionalMl},
+                               {"pointMm", {p[0], p[1], p[2]}}});
   }
   json["tumours"] = Json::array();
   for (const TumourAssessment& tumour : assessment.tumours) {

@@ -1,5 +1,6 @@
 #include "planning/volumetry/resected.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -99,6 +100,23 @@ class Counter {
 
   /// The section's area, where the plan is one plane: every run it cuts was counted in closed form.
   [[nodiscard]] double singlePlaneArea() const { return singlePlaneArea_; }
+
+  /// Whether the run is on one side altogether, and on which.
+  [[nodiscard]] Side sideOfRun(const RowRun& run) const {
+    const Box box = boxOf(run, spacing_);
+    Side side = Side::Outside;
+    for (const ImageResection& resection : plan_) {
+      std::size_t planesAcross = 0;
+      const ImagePlane* last = nullptr;
+      if (reaches(box, resection, planesAcross, last)) {
+        if (planesAcross == 0) {
+          return Side::Inside;
+        }
+        side = Side::Across;
+      }
+    }
+    return side;
+  }
 
  private:
   static std::int64_t whole(const RowRun& run) { return static_cast<std::int64_t>(run.n) << 32; }
@@ -233,6 +251,48 @@ Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<Im
     result.cutAreaMm2[piece.resection] += areaOf(piece.polygon);
   }
   return result;
+}
+
+namespace {
+/// Halves a run until every part is on one side or a single voxel; neighbours that are on the same side become one part again.
+void appendParts(const RowRun& run, const Vec3& spacing, const std::vector<ImageResection>& plan, std::vector<RunPart>& parts) {
+  Resected counted;
+  counted.units.resize(plan.size());
+  Counter counter(spacing, plan, counted);
+  const Side side = counter.sideOfRun(run);
+  if (side == Side::Across && run.n > 1) {
+    const int half = run.n / 2;
+    appendParts({run.i, run.j, run.k, half}, spacing, plan, parts);
+    appendParts({run.i + half, run.j, run.k, run.n - half}, spacing, plan, parts);
+    return;
+  }
+  RunPart part{run, 0, 0};
+  if (side != Side::Outside) {
+    counter.count(run);
+    part.resected = counted.totalUnits();
+    part.owner = static_cast<std::size_t>(std::max_element(counted.units.begin(), counted.units.end()) - counted.units.begin());
+  }
+  if (!parts.empty()) {
+    RunPart& before = parts.back();
+    const bool joins = before.run.j == run.j && before.run.k == run.k && before.run.i + before.run.n == run.i;
+    const bool none = before.resected == 0 && part.resected == 0;
+    const bool all = before.resected == before.units() && part.resected == part.units() && before.owner == part.owner;
+    if (joins && (none || all)) {
+      before.run.n += run.n;
+      before.resected += part.resected;
+      return;
+    }
+  }
+  parts.push_back(part);
+}
+}  // namespace
+
+std::vector<RunPart> partsOf(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {
+  std::vector<RunPart> parts;
+  for (const RowRun& run : rows.runs) {
+    appendParts(run, spacing, plan, parts);
+  }
+  return parts;
 }
 
 std::vector<CutPiece> cutSurface(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {

@@ -42,6 +42,13 @@ class CutDistance {
 /// The shortest way between a box and a convex polygon that do not cross; 0 where they touch.
 CutDistance::Way shortestWay(const Box& box, const Polygon& polygon);
 
+/// The margin of boxes that lie on the resected side altogether.
+struct Margin {
+  double mm = 0;       ///< infinity where there is no surface
+  double atLeast = 0;  ///< mm - resolution along the shortest way
+};
+Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& cut, const std::vector<ImageResection>& plan);
+
 /// The greatest distance of the boxes' points to the resected region, mm; the direction it is measured along in `normal`. Exact for
 /// one resection (the distance to a convex body is greatest at a corner); several: over the corners.
 double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal);

@@ -99,9 +99,9 @@ double diameterOf(double area) { return 2 * std::sqrt(area / std::numbers::pi); 
 }  // namespace
 
 std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::string& name, const VoxelRows& rows,
-                                            const ImageGeometry& geometry, const std::vector<ImageResection>& plan) {
+                                            const std::vector<CutPiece>& pieces, const ImageGeometry& geometry,
+                                            const std::vector<ImageResection>& plan) {
   const Vec3& spacing = geometry.spacing;
-  const std::vector<CutPiece> pieces = cutSurface(rows, spacing, plan);
   UnionFind groups = connect(pieces, rows, spacing[0]);
   std::map<std::uint32_t, Crossing> found;
   for (std::uint32_t n = 0; n < pieces.size(); ++n) {

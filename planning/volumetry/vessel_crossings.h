@@ -12,8 +12,9 @@ namespace glisson {
 /// One entry per connected piece of (vessel voxels and resection surface): centroid, and the diameter of the circle with its area.
 /// The area is multiplied by |cos| of the angle between the surface's normal and the vessel's direction, where that direction is
 /// clear: the main axis of the vessel's voxels within a ball around the crossing, its variance at least twice the next one's.
-/// `rows`: the vessel's voxels inside L. Largest first.
+/// `rows`: the vessel's voxels inside L; `pieces`: the resection surface inside them, its runs those of `rows`. Largest first.
 std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::string& name, const VoxelRows& rows,
-                                            const ImageGeometry& geometry, const std::vector<ImageResection>& plan);
+                                            const std::vector<CutPiece>& pieces, const ImageGeometry& geometry,
+                                            const std::vector<ImageResection>& plan);
 
 }  // namespace glisson

@@ -1,6 +1,7 @@
 #include "reconstruction/image/image_geometry.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -51,6 +52,23 @@ void ImageGeometry::validate(const std::string& what) const {
   if (!(direction.transpose() * direction).isApprox(Mat3::Identity(), 1e-3)) {
     throw InputError(what + " has image axes that are not perpendicular unit vectors; resample it to a straight grid first.");
   }
+}
+
+std::array<std::size_t, 3> nearestIndexAxes(const Mat3& direction) {
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::array<std::size_t, 3> best = order;
+  double bestSum = -1;
+  do {
+    double sum = 0;
+    for (std::size_t world = 0; world < 3; ++world) {
+      sum += std::abs(direction(static_cast<Eigen::Index>(world), static_cast<Eigen::Index>(order[world])));
+    }
+    if (sum > bestSum + 1e-12) {
+      bestSum = sum;
+      best = order;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
 }
 
 }  // namespace glisson

@@ -36,6 +36,9 @@ struct ImageGeometry {
   void validate(const std::string& what) const;
 };
 
+/// For each world axis the index axis nearest to it: the assignment with the greatest sum of cosines.
+std::array<std::size_t, 3> nearestIndexAxes(const Mat3& direction);
+
 /// A grid this close at its 8 corners is the same grid (reliability.md).
 inline constexpr double kSameGridMm = 0.01;
 

@@ -10,7 +10,7 @@
 #include <QTest>
 #include <ctime>
 
-#include "planning/resection/resection_plan.h"
+#include "planning/resection/place_plane.h"
 #include "tests/viewer/bodies.h"
 #include "viewer/plane_handles.h"
 

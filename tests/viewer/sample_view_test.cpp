@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "planning/case/case.h"
-#include "planning/resection/resection_plan.h"
+#include "planning/resection/place_plane.h"
 #include "reconstruction/sample/sample_patient.h"
 #include "viewer/model_view.h"
 #include "viewer/slice_view.h"

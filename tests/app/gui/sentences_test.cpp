@@ -145,8 +145,8 @@ TEST(SentenceCatalogueTest, EverySentenceOfTheSourcesHasARow) {
 }
 
 TEST(SentenceCatalogueTest, NoTextForTheWindowNamesAFlagAndEveryPlaceHasItsLetter) {
-  for (const auto& table :
-       {dicomSentences(), readingSentences(), modelSentences(), planningSentences(), windowSentences(), knownNames()}) {
+  for (const auto& table : {dicomSentences(), readingSentences(), modelSentences(), planningSentences(), planSentences(),
+                            windowSentences(), knownNames()}) {
     for (const SentenceRow& row : table) {
       const QString text = QString::fromUtf8(row.text);
       const QString shown = row.shown != nullptr ? QString::fromUtf8(row.shown) : text;

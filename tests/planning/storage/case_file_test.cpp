@@ -84,6 +84,7 @@ Case sampleCase() {
   Case made = newCase(nullptr, segmentation);
   made.identity = {"Doe^Jane", "4711", "19700101", "20200202", "portal venous", "1.2.3"};
   made.notes.emplace_back("a note");
+  made.patient = {170.1, std::nullopt, LiverCondition::LongChemotherapy, TumourType::ColorectalMetastases};
   Structure built = *made.model->find("tumour_01");
   auto reconstruction = std::make_shared<Reconstruction>();
   reconstruction->mesh = tetrahedron();
@@ -113,6 +114,7 @@ void expectEqual(const Case& a, const Case& b) {
   EXPECT_EQ(a.identity.frameOfReferenceUid, b.identity.frameOfReferenceUid);
   EXPECT_EQ(a.ctSource, b.ctSource);
   EXPECT_EQ(a.notes, b.notes);
+  EXPECT_EQ(a.patient, b.patient);
   EXPECT_EQ(a.segmentation->geometry.spacing, b.segmentation->geometry.spacing);
   EXPECT_EQ(a.segmentation->geometry.origin, b.segmentation->geometry.origin);
   EXPECT_EQ(a.segmentation->geometry.direction, b.segmentation->geometry.direction);
@@ -345,7 +347,7 @@ TEST_F(CaseFileTest, FullDiskIsRefusedAndTheFileKeepsItsState) {
 
 TEST_F(CaseFileTest, NewerVersionIsRefusedWithASentence) {
   { CaseFile::create(file(), sampleCase()); }
-  runSql(file(), "PRAGMA user_version=2");
+  runSql(file(), "PRAGMA user_version=3");
   EXPECT_NE(refusalOf([&] { CaseFile::open(file()); }).find("newer Glisson"), std::string::npos);
 }
 

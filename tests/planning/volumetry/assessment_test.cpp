@@ -182,11 +182,25 @@ TEST(Volumes, PlaneThatMissesTheLiverSaysSo) {
   const PlanAssessor assessor(blockLiver());
   const PlanAssessment beyond = assessor.volumes(planOf({{{kBlockCentre + Vec3(100, 0, 0), Vec3::UnitX()}}}));
   EXPECT_EQ(beyond.resectedMl, 0);
+  EXPECT_FALSE(beyond.divides);
+  const auto json = nlohmann::ordered_json::parse(toJson(beyond));
+  for (const char* key : {"resectedMl", "remnantMl", "functionalRemnantMl", "flrPercent", "volumeUncertaintyMl"}) {
+    EXPECT_TRUE(json[key].is_null()) << key << " is a number of no plan";
+  }
+  EXPECT_TRUE(json["resections"][0]["volumeMl"].is_null());
+  EXPECT_TRUE(json["totalMl"].is_number()) << "the liver is there";
   EXPECT_NE(beyond.warning.find("does not divide the liver"), std::string::npos);
   const PlanAssessment all = assessor.volumes(planOf({{{kBlockCentre - Vec3(100, 0, 0), Vec3::UnitX()}}}));
   EXPECT_EQ(all.remnantMl, 0);
+  EXPECT_FALSE(all.divides);
   EXPECT_FALSE(all.warning.empty());
   EXPECT_TRUE(assessor.volumes(planOf({{{kBlockCentre, Vec3::UnitX()}}})).warning.empty());
+  EXPECT_TRUE(assessor.volumes(planOf({{{kBlockCentre, Vec3::UnitX()}}})).divides);
+  // One of two resections misses: the other one still divides.
+  const PlanAssessment both =
+      assessor.volumes(planOf({{{kBlockCentre, Vec3::UnitX()}}, {{kBlockCentre + Vec3(100, 0, 0), Vec3::UnitX()}}}));
+  EXPECT_TRUE(both.divides);
+  EXPECT_NE(both.warning.find("Resection 2 does not divide"), std::string::npos);
 }
 
 TEST(Volumes, PlanWithoutResectionLeavesEverything) {
@@ -220,7 +234,7 @@ TEST(Json, HasTheKeysOfTheContract) {
   };
   using Names = std::vector<std::string>;
   EXPECT_EQ(keys(json), (Names{"totalMl", "tumourMl", "functionalMl", "resectedMl", "remnantMl", "volumeUncertaintyMl",
-                               "functionalRemnantMl", "flrPercent", "resections", "tumours", "vesselsCrossed"}));
+                               "functionalRemnantMl", "flrPercent", "resections", "islands", "tumours", "vesselsCrossed"}));
   EXPECT_EQ(keys(json["resections"][0]), (Names{"name", "volumeMl", "cutAreaMm2"}));
   EXPECT_EQ(keys(json["tumours"][0]), (Names{"name", "state", "marginMm", "marginAtLeastMm", "distanceMm"}));
   EXPECT_EQ(keys(json["vesselsCrossed"][0]), (Names{"name", "positionMm", "diameterMm"}));

@@ -4,9 +4,12 @@
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 
 #include "planning/volumetry/assessment.h"
+#include "planning/volumetry/margin_plane.h"
+#include "planning/volumetry/tumour_measures.h"
 #include "reconstruction/io/read.h"
 #include "tests/support/paths.h"
 
@@ -89,6 +92,36 @@ TEST_F(RealPatient, VolumesFollowTheMouse) {
     best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
   RecordProperty("millisecondsTimes1000", static_cast<int>(1000 * best));
+}
+
+TEST_F(RealPatient, EveryTumourGetsAPlaneThatKeepsItsMarginOrNone) {
+  const Case made = newCase(nullptr, nested_);
+  const PlanAssessor assessor(made);
+  std::size_t found = 0;
+  for (const TumourMeasures& tumour : tumourMeasures(made)) {
+    const auto start = std::chrono::steady_clock::now();
+    const MarginProposal proposal = proposeMarginPlane(made, tumour.id, 10);
+    const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    RecordProperty("milliseconds_" + tumour.id, static_cast<int>(ms));
+    RecordProperty("resectedMlTimes1000_" + tumour.id, static_cast<int>(1000 * proposal.resectedFunctionalMl));
+    EXPECT_GE(tumour.longestDiameterMm, 2 * std::cbrt(tumour.volumeMl * 1000 * 3 / (4 * 3.14159265358979))) << tumour.id;
+    if (!proposal.plane) {
+      EXPECT_FALSE(proposal.reason.empty());
+      continue;
+    }
+    ++found;
+    const PlanAssessment r = assessor.assess({"Plan", {{"Resection 1", {*proposal.plane}}}, 10});
+    for (const TumourAssessment& assessed : r.tumours) {
+      if (assessed.id == tumour.id) {
+        EXPECT_EQ(assessed.state, TumourState::Removed);
+        EXPECT_GE(assessed.marginAtLeastMm.value(), 10.0);
+      }
+    }
+    for (const VesselCrossing& vessel : proposal.vessels) {
+      EXPECT_GE(vessel.diameterMm, kListedVesselMm);
+    }
+  }
+  EXPECT_GT(found, 0U);
 }
 
 }  // namespace

@@ -1,0 +1,57 @@
+#pragma once
+// Purpose: what `glisson-cli plan` is asked for, as text, and what its parts mean. Throws UsageError naming the flag.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "planning/case/case.h"
+
+namespace glisson::cli {
+
+struct PlanFlags {
+  std::string caseFile;
+  std::string plan;  ///< empty: the first
+  // planes of one resection
+  std::vector<std::string> planes;
+  std::vector<std::string> points;
+  std::vector<std::string> lines;
+  std::vector<std::string> slices;
+  std::string proposeMargin;  ///< a tumour
+  bool flip = false;
+  std::string toResection;  ///< empty: a new one
+  // other edits of the plan
+  std::string removeResection;
+  std::string margin;
+  std::vector<std::string> islands;
+  std::vector<std::string> measures;
+  // the list of plans
+  std::string duplicate;
+  std::string rename;
+  bool remove = false;
+  std::vector<std::string> compare;
+  // the patient
+  std::string height;
+  std::string weight;
+  std::string condition;
+  std::string tumourType;
+
+  bool dryRun = false;
+  bool json = false;
+};
+
+void addPlanFlags(CLI::App& command, PlanFlags& flags);
+
+/// The planes asked for but for --propose-margin, in the order --plane, --points, --line, --slice; `flip` turns them around.
+std::vector<HalfSpace> planesOf(const PlanFlags& flags, const ImageGeometry& geometry);
+/// x,y,z,resected or x,y,z,remnant
+IslandAssignment islandOf(const std::string& text);
+/// x,y,z,x,y,z
+Measure measureOf(const std::string& text);
+/// A number of `flag`.
+double numberOf(const std::string& flag, const std::string& text);
+/// `before` with what is given; "none" forgets a fact.
+PatientFacts factsOf(const PlanFlags& flags, const PatientFacts& before);
+
+}  // namespace glisson::cli

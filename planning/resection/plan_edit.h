@@ -1,0 +1,79 @@
+#pragma once
+// Purpose: the edits of one plan as pure values: apply(plan, edit) -> plan. The undo step keeps the plan before and after, and is
+// called what nameOf() says. Every edit throws PlanningError, and leaves the plan as it is, where what it names does not exist or
+// what it brings is not finite.
+
+#include <concepts>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "planning/resection/resection_plan.h"
+
+namespace glisson {
+
+/// One plane elsewhere; its normal is made unit.
+struct MovePlane {
+  std::size_t resection = 0;
+  std::size_t plane = 0;
+  HalfSpace to;
+};
+/// A resection of one or more planes; without a name it gets the next free "Resection N".
+struct AddResection {
+  Resection resection;
+};
+struct RemoveResection {
+  std::size_t resection = 0;
+};
+/// Names of resections are not empty and differ within a plan.
+struct RenameResection {
+  std::size_t resection = 0;
+  std::string name;
+};
+struct AddPlane {
+  std::size_t resection = 0;
+  HalfSpace plane;
+};
+/// With its last plane a resection goes too.
+struct RemovePlane {
+  std::size_t resection = 0;
+  std::size_t plane = 0;
+};
+/// 0 mm or more.
+struct SetSafetyMargin {
+  double mm = 0;
+};
+/// An assignment of the same point takes the place of the one before.
+struct AssignIsland {
+  IslandAssignment island;
+};
+/// Takes an assignment back.
+struct ReleaseIsland {
+  std::size_t island = 0;
+};
+/// Without a name it gets the next free "Distance N".
+struct AddMeasure {
+  Measure measure;
+};
+struct RemoveMeasure {
+  std::size_t measure = 0;
+};
+
+using AnyEdit = std::variant<MovePlane, AddResection, RemoveResection, RenameResection, AddPlane, RemovePlane, SetSafetyMargin,
+                             AssignIsland, ReleaseIsland, AddMeasure, RemoveMeasure>;
+/// Any of them. A class of its own: std::apply must not be found beside apply().
+struct PlanEdit {
+  template <typename Edit>
+  requires std::constructible_from<AnyEdit, Edit> PlanEdit(Edit edit) : what(std::move(edit)) {}  // every edit is one
+
+  AnyEdit what;
+};
+
+ResectionPlan apply(const ResectionPlan& plan, const MovePlane& edit);
+ResectionPlan apply(const ResectionPlan& plan, const PlanEdit& edit);
+
+/// "move plane 2", in lower case, as it stands behind Undo. Numbers count from 1 and stand only where the plan before the edit has
+/// more than one.
+std::string nameOf(const ResectionPlan& before, const PlanEdit& edit);
+
+}  // namespace glisson

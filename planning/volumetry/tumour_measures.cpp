@@ -1,0 +1,169 @@
+#include "planning/volumetry/tumour_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "planning/volumetry/box_corners.h"
+
+namespace glisson {
+
+namespace {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Runs by slice and row, for the shortest way to them.
+class RowFinder {
+ public:
+  RowFinder(const VoxelRows& rows, const Vec3& spacing) : spacing_(spacing) {
+    for (const RowRun& run : rows.runs) {
+      slices_[run.k][run.j].push_back(run);
+    }
+  }
+
+  /// The shortest way from the boxes of `rows`, mm; infinity where there are none.
+  [[nodiscard]] double shortest(const VoxelRows& rows) const {
+    double squared = kInfinity;
+    for (const RowRun& run : rows.runs) {
+      fromRun(run, squared);
+    }
+    return std::sqrt(squared);
+  }
+
+ private:
+  /// The gap between the boxes of voxels a and b along an axis; neighbours touch.
+  static double gap(int a, int b, double spacing) { return std::max(0, std::abs(a - b) - 1) * spacing; }
+
+  /// Rows by falling nearness, both ways from the middle, as long as they can be nearer than the best.
+  template <typename Map, typename Visit>
+  static void outwards(const Map& map, int middle, const Visit& visit) {
+    auto up = map.lower_bound(middle);
+    auto down = std::make_reverse_iterator(up);
+    while (up != map.end() && visit(*up)) {
+      ++up;
+    }
+    while (down != map.rend() && visit(*down)) {
+      ++down;
+    }
+  }
+
+  void fromRun(const RowRun& run, double& squared) const {
+    outwards(slices_, run.k, [&](const auto& slice) {
+      const double gapK = gap(slice.first, run.k, spacing_[2]);
+      if (gapK * gapK >= squared) {
+        return false;
+      }
+      outwards(slice.second, run.j, [&](const auto& row) {
+        const double gapJ = gap(row.first, run.j, spacing_[1]);
+        const double across = gapK * gapK + gapJ * gapJ;
+        if (across >= squared) {
+          return false;
+        }
+        for (const RowRun& other : row.second) {
+          const int apart = std::max({0, other.i - (run.i + run.n), run.i - (other.i + other.n)});
+          squared = std::min(squared, across + std::pow(apart * spacing_[0], 2));
+        }
+        return true;
+      });
+      return true;
+    });
+  }
+
+  Vec3 spacing_;
+  std::map<int, std::map<int, std::vector<RowRun>>> slices_;
+};
+
+/// The voxels around the mask that are not in it, one voxel beyond its box: the nearest of all that are not.
+VoxelRows outsideOf(const Mask& mask) {
+  VoxelRows rows;
+  const IndexBox& box = mask.box();
+  for (int k = box.first[2] - 1; k <= box.first[2] + box.size[2]; ++k) {
+    for (int j = box.first[1] - 1; j <= box.first[1] + box.size[1]; ++j) {
+      bool open = false;
+      for (int i = box.first[0] - 1; i <= box.first[0] + box.size[0]; ++i) {
+        const bool outside = !mask.at(i, j, k);
+        if (outside && open) {
+          ++rows.runs.back().n;
+        } else if (outside) {
+          rows.runs.push_back({i, j, k, 1});
+        }
+        rows.voxels += outside ? 1 : 0;
+        open = outside;
+      }
+    }
+  }
+  return rows;
+}
+
+const Mask* maskOf(const Case& source, const Structure& structure) {
+  const auto& masks = source.segmentation->structures;
+  const auto index = static_cast<std::size_t>(structure.sourceIndex);
+  const bool has = structure.sourceIndex >= 0 && index < masks.size() && masks[index].mask && !masks[index].mask->empty();
+  return has ? masks[index].mask.get() : nullptr;
+}
+
+struct Vessel {
+  const Structure* structure;
+  RowFinder finder;
+};
+}  // namespace
+
+std::vector<TumourMeasures> tumourMeasures(const Case& source, const ExecutionContext& context) {
+  const ImageGeometry& geometry = source.liver->geometry;
+  const RowFinder outside(outsideOf(source.liver->liver), geometry.spacing);
+  std::vector<Vessel> vessels;
+  for (const Structure& structure : source.model->structures) {
+    if (const Mask* mask = maskOf(source, structure); mask != nullptr && isVessel(structure.kind)) {
+      vessels.push_back({&structure, RowFinder(rowsOf(*mask), geometry.spacing)});
+    }
+  }
+  std::vector<TumourMeasures> measures;
+  for (const Structure& structure : source.model->structures) {
+    const Mask* mask = maskOf(source, structure);
+    if (mask == nullptr || !isLesion(structure.kind)) {
+      continue;
+    }
+    context.throwIfCancelled();
+    const VoxelRows rows = rowsOf(*mask);
+    TumourMeasures measured;
+    measured.id = structure.id;
+    measured.name = structure.name;
+    measured.volumeMl = volumeMl(*mask, geometry);
+    const auto [from, to] = farthestCorners(rows, geometry.spacing);
+    measured.longestDiameterMm = (to - from).norm();
+    measured.diameterFrom = geometry.origin + geometry.direction * from;
+    measured.diameterTo = geometry.origin + geometry.direction * to;
+    measured.capsuleMm = outside.shortest(rows);
+    for (const Vessel& vessel : vessels) {
+      const double mm = vessel.finder.shortest(rows);
+      if (!measured.vesselMm || mm < *measured.vesselMm) {
+        measured.vesselMm = mm;
+        measured.nearestVessel = vessel.structure->name;
+        measured.nearestVesselId = vessel.structure->id;
+      }
+    }
+    measures.push_back(std::move(measured));
+  }
+  return measures;
+}
+
+std::string toJson(const std::vector<TumourMeasures>& measures) {
+  using Json = nlohmann::ordered_json;
+  const auto fromVector = [](const Vec3& v) { return Json::array({v[0], v[1], v[2]}); };
+  Json json = Json::array();
+  for (const TumourMeasures& m : measures) {
+    json.push_back({{"id", m.id},
+                    {"name", m.name},
+                    {"volumeMl", m.volumeMl},
+                    {"longestDiameterMm", m.longestDiameterMm},
+                    {"diameterFromMm", fromVector(m.diameterFrom)},
+                    {"diameterToMm", fromVector(m.diameterTo)},
+                    {"capsuleMm", m.capsuleMm},
+                    {"nearestVessel", m.vesselMm ? Json(m.nearestVessel) : Json(nullptr)},
+                    {"vesselMm", m.vesselMm ? Json(*m.vesselMm) : Json(nullptr)}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace glisson

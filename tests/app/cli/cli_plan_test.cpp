@@ -1,0 +1,181 @@
+// Everything a plan is asked for on the command line, on the sample patient.
+
+#include <cmath>
+
+#include "tests/app/cli/cli_fixture.h"
+
+namespace glisson::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Keys = std::vector<std::string>;
+
+class CliPlanning : public testing::Test {
+ protected:
+  CliPlanning() : file_(folder_ / "case.glisson") {
+    std::filesystem::copy_file(sampleCase(), file_);
+    const Json geometry = Json::parse(cli({"info", file_, "--json"}).out)[0]["geometry"];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      middle_.push_back(geometry["originMm"][axis].get<double>() +
+                        0.5 * geometry["spacingMm"][axis].get<double>() * (geometry["size"][axis].get<double>() - 1));
+    }
+  }
+
+  /// "x,y,z" of the grid's middle, moved.
+  [[nodiscard]] std::string at(double dx, double dy, double dz) const {
+    return Json(middle_[0] + dx).dump() + "," + Json(middle_[1] + dy).dump() + "," + Json(middle_[2] + dz).dump();
+  }
+  [[nodiscard]] Json plan(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"plan", file_, "--json"});
+    const Finished finished = cli(arguments);
+    EXPECT_EQ(finished.exitCode, 0) << finished.err;
+    return finished.exitCode == 0 ? Json::parse(finished.out) : Json();
+  }
+  [[nodiscard]] Finished refused(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"plan", file_});
+    return cli(arguments);
+  }
+
+  TemporaryFolder folder_;
+  std::string file_;
+  std::vector<double> middle_;
+};
+
+TEST_F(CliPlanning, FlrCardIsStoredWithTheCaseAndForgottenOnRequest) {
+  const Json before = plan({"--plane", at(0, 0, 0) + ",1,0,0"});
+  EXPECT_TRUE(before["flrCard"]["slvVautheyMl"].is_null());
+  EXPECT_FALSE(before["flrCard"]["reasons"].empty());
+  const Json card =
+      plan({"--height", "170", "--weight", "70", "--condition", "normal", "--tumour-type", "colorectal-metastases"})["flrCard"];
+  EXPECT_NEAR(card["bsaMostellerM2"], 1.8181, 5e-5);
+  EXPECT_NEAR(card["slvUrataMl"], 1286.4, 0.05);
+  EXPECT_NEAR(card["slvVautheyMl"], 1509.7, 0.05);
+  EXPECT_EQ(card["ratios"][2]["ratio"], "flrOfSlvVautheyPercent");
+  EXPECT_NEAR(card["ratios"][2]["value"].get<double>() * 15.097, before["functionalRemnantMl"].get<double>(), 0.1);
+  EXPECT_EQ(card["ratios"][2]["thresholds"][0]["citation"], "Kishi 2009");
+  EXPECT_EQ(card["marginBands"].size(), 2U);
+  EXPECT_EQ(plan({})["flrCard"], card) << "kept in the case";
+  const Json forgotten = plan({"--condition", "none"})["flrCard"];
+  EXPECT_TRUE(forgotten["condition"].is_null());
+  EXPECT_EQ(forgotten["heightCm"], 170);
+  for (const Json& ratio : forgotten["ratios"]) {
+    EXPECT_TRUE(ratio["thresholds"].empty());
+  }
+}
+
+TEST_F(CliPlanning, FactsThatAreNoneAreRefusedAndStoreNothing) {
+  const std::string before = bytesOf(file_);
+  expectRefusal(refused({"--height", "tall"}), 2, "--height");
+  expectRefusal(refused({"--weight", "-3"}), 2, "positive");
+  expectRefusal(refused({"--condition", "fine"}), 2, "long-chemotherapy");
+  expectRefusal(refused({"--tumour-type", "big"}), 2, "hepatocellular");
+  expectRefusal(refused({"--plane", at(0, 0, 0) + ",1,0,0", "--weight", "0"}), 2, "positive");
+  EXPECT_EQ(bytesOf(file_), before);
+}
+
+TEST_F(CliPlanning, TheSamePlanePlacedInFourWaysGivesTheSameVolumes) {
+  const double typed = plan({"--dry-run", "--plane", at(0, 0, 0) + ",1,0,0"})["resectedMl"];
+  EXPECT_NEAR(plan({"--dry-run", "--slice", "sagittal," + at(0, 0, 0)})["resectedMl"], typed, 1e-6);
+  EXPECT_NEAR(plan({"--dry-run", "--points", at(0, 0, 0) + "," + at(0, 30, 0) + "," + at(0, 0, 20)})["resectedMl"], typed, 1e-6);
+  EXPECT_NEAR(plan({"--dry-run", "--line", at(0, 9, -20) + "," + at(0, -7, 30) + ",0,1,0"})["resectedMl"], typed, 1e-6);
+  const Json other = plan({"--dry-run", "--slice", "sagittal," + at(0, 0, 0), "--flip"});
+  EXPECT_NEAR(other["remnantMl"], typed, 1e-6);
+  EXPECT_TRUE(plan({})["resections"].empty()) << "nothing was stored";
+}
+
+TEST_F(CliPlanning, GesturesThatGiveNoPlaneAreRefused) {
+  expectRefusal(refused({"--points", "0,0,0,1,1,1,2,2,2"}), 2, "one line");
+  expectRefusal(refused({"--points", "0,0,0,1,1,1"}), 2, "nine numbers");
+  expectRefusal(refused({"--line", "0,0,0,0,5,0,0,1,0"}), 2, "no length");
+  expectRefusal(refused({"--slice", "oblique,0,0,0"}), 2, "axial, coronal or sagittal");
+  expectRefusal(refused({"--flip"}), 2, "--flip");
+  expectRefusal(refused({"--resection", "Resection 1", "--plane", at(0, 0, 0) + ",1,0,0"}), 2, "none");
+}
+
+TEST_F(CliPlanning, ResectionsAreAddedWidenedAndRemoved) {
+  const Json one = plan({"--plane", at(0, 0, 0) + ",1,0,0"});
+  const Json two = plan({"--plane", at(0, 0, 0) + ",0,0,1"});
+  ASSERT_EQ(two["resections"].size(), 2U);
+  EXPECT_GT(two["resectedMl"].get<double>(), one["resectedMl"].get<double>());
+  const Json wedge = plan({"--plane", at(0, 0, 0) + ",0,1,0", "--resection", "Resection 1"});
+  ASSERT_EQ(wedge["resections"].size(), 2U);
+  EXPECT_LT(wedge["resections"][0]["volumeMl"].get<double>(), two["resections"][0]["volumeMl"].get<double>());
+  const Json left = plan({"--remove-resection", "Resection 1"});
+  ASSERT_EQ(left["resections"].size(), 1U);
+  EXPECT_EQ(left["resections"][0]["name"], "Resection 2");
+  expectRefusal(refused({"--remove-resection", "Resection 1"}), 2, "Resection 2");
+}
+
+TEST_F(CliPlanning, PlansAreCopiedRenamedComparedAndDeleted) {
+  (void)plan({"--plane", at(0, 0, 0) + ",1,0,0"});
+  const Json copy = plan({"--duplicate", "Wider", "--margin", "5", "--plane", at(0, 0, 0) + ",0,0,1"});
+  EXPECT_EQ(copy["plan"], "Wider");
+  EXPECT_EQ(copy["safetyMarginMm"], 5);
+  EXPECT_EQ(plan({})["safetyMarginMm"], 10) << "the first plan is as it was";
+  const Json compared = plan({"--compare", "Wider"})["comparison"];
+  EXPECT_EQ(compared["plans"], (Json{"Plan 1", "Wider"}));
+  EXPECT_FALSE(compared["differences"].empty());
+  bool marked = false;
+  for (const Json& row : compared["rows"]) {
+    if (row["row"] == "resectedMl") {
+      marked = row["smallest"] == Json{true, false} && row["largest"] == Json{false, true};
+    }
+  }
+  EXPECT_TRUE(marked);
+  EXPECT_EQ(plan({"--plan", "Wider", "--rename", "Both"})["plan"], "Both");
+  expectRefusal(refused({"--plan", "Both", "--rename", "Plan 1"}), 2, "taken");
+  expectRefusal(refused({"--compare", "Wider"}), 2, "Both");
+  EXPECT_EQ(plan({"--plan", "Both", "--delete"})["plan"], "Plan 1");
+  expectRefusal(refused({"--delete"}), 2, "at least one plan");
+}
+
+TEST_F(CliPlanning, ProposedMarginPlaneKeepsTheMarginOfItsTumour) {
+  const Json json = plan({"--margin", "3", "--propose-margin", "tumour_01"});
+  const Json& proposal = json["marginProposal"];
+  ASSERT_TRUE(proposal["plane"].is_object()) << proposal.dump();
+  EXPECT_GE(proposal["marginAtLeastMm"], 3.0);
+  EXPECT_EQ(json["tumours"][0]["state"], "removed");
+  EXPECT_EQ(json["tumours"][0]["marginAtLeastMm"], proposal["marginAtLeastMm"]);
+  EXPECT_EQ(json["resections"].size(), 1U);
+  EXPECT_NE(proposal["notice"].get<std::string>().find("ignores inflow, outflow and access"), std::string::npos);
+  const Json stored = plan({});
+  EXPECT_EQ(stored["resectedMl"], json["resectedMl"]);
+  const Json none = plan({"--margin", "400", "--propose-margin", "tumour_01"});
+  EXPECT_TRUE(none["marginProposal"]["plane"].is_null());
+  EXPECT_TRUE(none["marginProposal"]["reason"].is_string());
+  EXPECT_EQ(none["resections"].size(), 1U) << "nothing was added";
+  expectRefusal(refused({"--propose-margin", "tumour_99"}), 2, "tumour_01");
+  const Finished text = cli({"plan", file_, "--margin", "400", "--propose-margin", "tumour_01"});
+  EXPECT_NE(text.out.find("margin plane: none"), std::string::npos) << text.out;
+}
+
+TEST_F(CliPlanning, TumoursAreMeasuredAndDistancesKept) {
+  const Json json = plan({"--measure", "0,0,0,3,4,12"});
+  ASSERT_EQ(json["tumourMeasures"].size(), 3U);
+  for (const Json& tumour : json["tumourMeasures"]) {
+    EXPECT_EQ(keysOf(tumour), (Keys{"id", "name", "volumeMl", "longestDiameterMm", "diameterFromMm", "diameterToMm", "capsuleMm",
+                                    "nearestVessel", "vesselMm"}));
+    // A body of this volume is no shorter than the ball of it.
+    const double ball = 2 * std::cbrt(tumour["volumeMl"].get<double>() * 1000 * 3 / 4 / 3.14159265358979);
+    EXPECT_GE(tumour["longestDiameterMm"].get<double>(), ball);
+    EXPECT_TRUE(tumour["nearestVessel"].is_string());
+  }
+  ASSERT_EQ(json["measures"].size(), 1U);
+  EXPECT_EQ(json["measures"][0]["distanceMm"], 13);
+  EXPECT_EQ(plan({})["measures"], json["measures"]);
+}
+
+TEST_F(CliPlanning, IslandThatIsNoneChangesNothingAndSaysSo) {
+  const Json before = plan({"--plane", at(0, 0, 0) + ",1,0,0"});
+  const Json after = plan({"--island", at(-400, 0, 0) + ",resected"});
+  EXPECT_EQ(after["resectedMl"], before["resectedMl"]);
+  EXPECT_NE(after["warning"].get<std::string>().find("no island"), std::string::npos);
+  const Finished exported = cli({"export", file_, "-o", folder_ / "out", "--accept-deviations"});
+  expectRefusal(exported, 3, "gives islands to the other side");
+  EXPECT_TRUE(plan({"--island", at(-400, 0, 0) + ",back"})["warning"].is_null());
+  expectRefusal(refused({"--island", at(-400, 0, 0) + ",back"}), 2, "no island at that point");
+  expectRefusal(refused({"--island", "1,2,3,up"}), 2, "--island");
+}
+
+}  // namespace
+}  // namespace glisson::test

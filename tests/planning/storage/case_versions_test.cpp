@@ -1,0 +1,135 @@
+// What the user says about the patient in the case file, and files of the version before it.
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <cmath>
+
+#include "planning/storage/case_file.h"
+#include "reconstruction/errors.h"
+#include "tests/planning/exchange/scratch.h"
+#include "tests/planning/voxel_bodies.h"
+
+namespace glisson {
+namespace {
+using namespace test;
+namespace fs = std::filesystem;
+
+Case ballCase() {
+  const ImageGeometry g = gridOf({20, 20, 20}, Vec3(1, 1, 1));
+  return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, ball(Vec3(10, 10, 10), 6)}}));
+}
+
+const PatientFacts kFacts{170, 70.5, LiverCondition::Injured, TumourType::HepatocellularCarcinoma};
+
+ResectionPlan planAt(double x) { return {"Plan 1", {{"Resection 1", {{Vec3(x, 0, 0), Vec3::UnitX()}}}}, 10}; }
+
+void runSql(const fs::path& path, const char* sql) {
+  sqlite3* handle = nullptr;
+  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(handle);
+  sqlite3_close(handle);
+}
+
+std::int64_t versionOf(const fs::path& path) {
+  sqlite3* handle = nullptr;
+  sqlite3_stmt* statement = nullptr;
+  EXPECT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
+  EXPECT_EQ(sqlite3_prepare_v2(handle, "PRAGMA user_version", -1, &statement, nullptr), SQLITE_OK);
+  EXPECT_EQ(sqlite3_step(statement), SQLITE_ROW);
+  const std::int64_t version = sqlite3_column_int64(statement, 0);
+  sqlite3_finalize(statement);
+  sqlite3_close(handle);
+  return version;
+}
+
+/// A file as version 1 wrote it: without the patient.
+fs::path versionOne(const fs::path& folder) {
+  const fs::path file = folder / "old.glisson";
+  Case made = ballCase();
+  made.plans = {planAt(10)};
+  { CaseFile::create(file, made); }
+  runSql(file, "DELETE FROM document WHERE key = 'patient'; PRAGMA user_version=1");
+  return file;
+}
+
+TEST(CasePatient, ComesBackAsItWasStoredAndEmptiedAgain) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  {
+    CaseFile made = CaseFile::create(file, ballCase());
+    EXPECT_EQ(made.load().patient, PatientFacts());
+    made.storePatient(kFacts);
+  }
+  EXPECT_EQ(CaseFile::open(file).load().patient, kFacts);
+  CaseFile::open(file).storePatient({std::nullopt, 0.1, std::nullopt, std::nullopt});
+  EXPECT_EQ(CaseFile::open(file).load().patient.weightKg, 0.1);
+  EXPECT_FALSE(CaseFile::open(file).load().patient.condition);
+  EXPECT_TRUE(CaseFile::open(file).history().empty()) << "the patient is no edit of a plan";
+}
+
+TEST(CasePatient, NumberThatIsNoBodysIsRefusedAndTheFileKeepsWhatItHeld) {
+  const Scratch scratch;
+  CaseFile made = CaseFile::create(scratch.path / "a.glisson", ballCase());
+  made.storePatient(kFacts);
+  for (const double wrong : {0.0, -170.0, static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
+    EXPECT_THROW(made.storePatient({wrong, 70, std::nullopt, std::nullopt}), PlanningError);
+    EXPECT_THROW(made.storePatient({170, wrong, std::nullopt, std::nullopt}), PlanningError);
+  }
+  EXPECT_EQ(made.load().patient, kFacts);
+}
+
+TEST(CaseVersions, FileOfVersionOneOpensWithoutAPatientAndIsNotTouchedByReading) {
+  const Scratch scratch;
+  const fs::path file = versionOne(scratch.path);
+  const Case read = CaseFile::open(file).load();
+  EXPECT_EQ(read.patient, PatientFacts());
+  EXPECT_EQ(read.plans[0].resections[0].planes[0].origin[0], 10);
+  EXPECT_TRUE(read.plans[0].measures.empty());
+  EXPECT_TRUE(read.plans[0].islands.empty());
+  EXPECT_EQ(versionOf(file), 1);
+}
+
+TEST(CaseVersions, FirstEditBringsAFileOfVersionOneUpToDate) {
+  const Scratch scratch;
+  const fs::path file = versionOne(scratch.path);
+  CaseFile::open(file).storePlans({planAt(10)});
+  EXPECT_EQ(versionOf(file), 1) << "equal plans are no edit";
+  CaseFile::open(file).storePlans({planAt(9)});
+  EXPECT_EQ(versionOf(file), 2);
+  EXPECT_EQ(CaseFile::open(file).load().plans[0].resections[0].planes[0].origin[0], 9);
+  EXPECT_EQ(CaseFile::open(file).history().size(), 1U);
+  fs::remove(file);
+  const fs::path other = versionOne(scratch.path);
+  CaseFile::open(other).storePatient(kFacts);
+  EXPECT_EQ(versionOf(other), 2);
+  EXPECT_EQ(CaseFile::open(other).load().patient, kFacts);
+}
+
+TEST(CaseVersions, FileOfThisVersionWithoutItsPatientIsDamaged) {
+  const Scratch scratch;
+  const fs::path file = versionOne(scratch.path);
+  runSql(file, "PRAGMA user_version=2");
+  EXPECT_THROW(CaseFile::open(file).load(), InputError);
+}
+
+TEST(CaseVersions, MeasuresAndIslandsComeBackBitForBit) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  ResectionPlan plan = planAt(10);
+  plan.measures = {{"Distance 1", Vec3(0.1, 1.0 / 3, -7), Vec3(1e-7, 2, 3)}};
+  plan.islands = {{Vec3(0.1 + 0.2, 5, 6), PlanSide::Remnant}, {Vec3(1, 2, 3), PlanSide::Resected}};
+  CaseFile::create(file, ballCase()).storePlans({plan});
+  const ResectionPlan read = CaseFile::open(file).load().plans[0];
+  ASSERT_EQ(read.measures.size(), 1U);
+  EXPECT_EQ(read.measures[0].name, "Distance 1");
+  EXPECT_EQ(read.measures[0].from, plan.measures[0].from);
+  EXPECT_EQ(read.measures[0].to, plan.measures[0].to);
+  ASSERT_EQ(read.islands.size(), 2U);
+  EXPECT_EQ(read.islands[0].point, plan.islands[0].point);
+  EXPECT_EQ(read.islands[0].to, PlanSide::Remnant);
+  EXPECT_EQ(read.islands[1].to, PlanSide::Resected);
+}
+
+}  // namespace
+}  // namespace glisson
