@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "app/cli/command.h"
+#include "app/cli/plan_territories.h"
 #include "app/cli/table.h"
 #include "planning/storage/case_file.h"
 #include "planning/volumetry/assessment.h"
@@ -18,6 +19,7 @@ struct Flags {
   std::vector<std::string> planes;
   std::string plan;
   bool json = false;
+  TerritoryFlags territories;
 };
 
 /// ox,oy,oz,nx,ny,nz: a point of the plane (mm LPS) and the direction to the resected side.
@@ -102,11 +104,28 @@ void checkDivides(const ResectionVolume& added, double totalMl, const Case& sour
                    formatNumber(centre.y(), 1) + ", " + formatNumber(centre.z(), 1) + ") mm");
 }
 
+void show(const PlanAssessment& assessment, const ResectionPlan& plan, const TerritoryCommand* territories, bool json) {
+  if (json) {
+    std::cout << (territories != nullptr ? toJson(assessment, territories->report(plan), territories->perfusion())
+                                         : toJson(assessment))
+              << '\n';
+    if (!assessment.warning.empty()) {
+      complain(assessment.warning);
+    }
+    return;
+  }
+  printText(assessment);
+  if (territories != nullptr) {
+    territories->printText(territories->report(plan));
+  }
+}
+
 int addResection(const Flags& flags, const ExecutionContext& context) {
   Resection resection;
   for (const std::string& plane : flags.planes) {
     resection.planes.push_back(planeOf(plane));
   }
+  checkTerritoryFlags(flags.territories);
   CaseFile file = CaseFile::open(flags.caseFile);
   Case source = file.load();
   ResectionPlan& plan = source.plans[planIndex(source.plans, flags.plan, flags.caseFile)];
@@ -115,19 +134,18 @@ int addResection(const Flags& flags, const ExecutionContext& context) {
     plan.resections.push_back(resection);
   }
   const PlanAssessment assessment = PlanAssessor(source).assess(plan);
-  context.throwIfCancelled();
   if (!resection.planes.empty()) {
     checkDivides(assessment.resections.back(), assessment.totalMl, source);
+  }
+  std::unique_ptr<TerritoryCommand> territories;
+  if (flags.territories.wanted) {
+    territories = std::make_unique<TerritoryCommand>(source, flags.territories, context);
+  }
+  context.throwIfCancelled();
+  if (!resection.planes.empty()) {
     file.storePlans(source.plans);
   }
-  if (flags.json) {
-    std::cout << toJson(assessment) << '\n';
-    if (!assessment.warning.empty()) {
-      complain(assessment.warning);
-    }
-  } else {
-    printText(assessment);
-  }
+  show(assessment, plan, territories.get(), flags.json);
   return kDone;
 }
 
@@ -146,6 +164,7 @@ void addPlan(CLI::App& app, Action& chosen) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--plan", flags->plan, "The plan's name (default: the first)");
   command->add_flag("--json", flags->json, "JSON on stdout");
+  addTerritoryFlags(*command, flags->territories);
   command->callback(
       [flags, &chosen] { chosen = [flags](const ExecutionContext& context) { return addResection(*flags, context); }; });
 }
