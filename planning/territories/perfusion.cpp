@@ -227,7 +227,8 @@ PerfusionEstimate LiverPerfusion::effectOf(const ResectionPlan& plan) const {
   }
   made.devascularisedOrCongestedMl = ml(units[2] + units[3] + units[4] + units[5] + units[6] + units[7]);
   const std::int64_t functional = my.remnantUnits(my.functional, resections);
-  const std::int64_t perfused = functional - units[3] - units[5] - units[7];
+  // Parts are rounded apart from the whole.
+  const std::int64_t perfused = std::max<std::int64_t>(0, functional - units[3] - units[5] - units[7]);
   made.functionalRemnantMl = ml(functional);
   made.perfusedFlrMl = ml(perfused);
   const double whole = ml(static_cast<std::int64_t>(my.functional.voxels) << 32);

@@ -156,7 +156,7 @@ TEST(VesselGraphs, SmallPieceNearABranchContinuesItAndAFarOneOwnsNothing) {
   const ImageGeometry g = gridOf({120, 40, 160}, Vec3(1, 1, 1), Vec3(-60, -20, -80));
   const auto liver = voxelised(g, block(Vec3(-50, -20, -20), Vec3(50, 20, 78)));
   const auto withGap =
-      voxelised(g, anyOf({rod({0, 0, -70}, {0, 0, 20}, 3), rod({0, 0, 29}, {0, 0, 36}, 2), rod({40, 0, 60}, {45, 0, 60}, 1)}));
+      voxelised(g, anyOf({rod({0, 0, -70}, {0, 0, 45}, 3), rod({0, 0, 54}, {0, 0, 61}, 2), rod({40, 0, 60}, {45, 0, 60}, 1)}));
   const VesselGraph graph = vesselGraphOf(VesselSystem::Portal, *withGap, g, *liver);
   expectSound(graph);
   EXPECT_EQ(graph.pieces, 2);
