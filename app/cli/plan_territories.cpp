@@ -50,10 +50,7 @@ TerritoryChoice choiceOf(const TerritoryFlags& flags, const VesselGraph& portal)
 
 /// The map on the case's grid, of the case's patient.
 Segmentation readSegments(const Case& source, const TerritoryFlags& flags, const ExecutionContext& context) {
-  ReadOptions options = readOptions(flags.input);
-  for (int number = 1; number <= 8; ++number) {
-    options.kindByLabel.try_emplace(number, StructureKind::Liver);  // so that their voxels are read, whatever they are called
-  }
+  const ReadOptions options = readOptions(flags.input);
   CtVolume grid;
   grid.geometry = source.segmentation->geometry;
   grid.identity = source.identity;

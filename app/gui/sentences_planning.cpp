@@ -200,7 +200,6 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "\"manifest.json\" has been changed since the export: export the plan again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Portal vein")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Hepatic veins")},
-    {"", QT_TRANSLATE_NOOP("Sentence", "portal vein")},
     {"", QT_TRANSLATE_NOOP("Sentence", "hepatic veins")},
     {"", QT_TRANSLATE_NOOP("Sentence", "territories")},
     {"s", QT_TRANSLATE_NOOP("Sentence", "%1: the mask does not lie on the grid of the liver; read the segmentation again.")},
