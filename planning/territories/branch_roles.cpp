@@ -81,8 +81,10 @@ class Roles {
   /// branch that ends there; -1 where there is no such node, or another tree is as large.
   std::int32_t markTrunk() {
     std::int32_t here = -1;
+    const std::vector<std::int32_t> starts = roots();
     std::vector<double> trees;
-    for (const std::int32_t root : roots()) {
+    trees.reserve(starts.size());
+    for (const std::int32_t root : starts) {
       trees.push_back(graph_.branches[at(root)].inLiverMm);
       here = graph_.branches[at(root)].piece == 0 ? root : here;
     }
@@ -118,6 +120,7 @@ class Roles {
 
   [[nodiscard]] double medianRadius(const VesselBranch& branch) const {
     std::vector<double> radii;
+    radii.reserve(at(branch.siteCount));
     for (std::int32_t s = branch.firstSite; s < branch.firstSite + branch.siteCount; ++s) {
       radii.push_back(graph_.sites[at(s)].radiusMm);
     }

@@ -218,6 +218,7 @@ std::vector<TerritoryVolume> volumesOf(const Territories& territories, const Res
   const std::vector<ImageResection> resections = toImage(plan, territories.geometry);
   const double voxelMl = territories.geometry.voxelVolumeMm3() * kMlPerMm3;
   std::vector<TerritoryVolume> volumes;
+  volumes.reserve(territories.parts.size());
   for (const Territory& part : territories.parts) {
     const std::int64_t resected = resect(part.rows, territories.geometry.spacing, resections).totalUnits();
     const std::int64_t remnant = (static_cast<std::int64_t>(part.rows.voxels) << 32) - resected;

@@ -59,7 +59,7 @@ inline Case forkCase(const Vec3& spacing = Vec3(1, 1, 1), const Eigen::Isometry3
   }
   g.origin = direction * (middle - half + 0.5 * spacing);
   const Eigen::Isometry3d back = place.inverse();
-  const auto moved = [back](Inside inside) -> Inside { return [=](const Vec3& p) { return inside(back * p); }; };
+  const auto moved = [back](const Inside& inside) -> Inside { return [=](const Vec3& p) { return inside(back * p); }; };
   return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, moved(block(kForkLow, kForkHigh))},
                                              {"portal vein", StructureKind::PortalVein, moved(forkPortal())},
                                              {"hepatic veins", StructureKind::HepaticVein, moved(forkVeins())}}));
