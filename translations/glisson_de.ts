@@ -1912,6 +1912,10 @@
         <translation>%1 hat eine Ebene, die nicht endlich ist; setzen Sie sie neu.</translation>
     </message>
     <message>
+        <source>%1: only %2 mm of branches are labelled inside the liver, too few to say what they supply or drain.</source>
+        <translation>%1: Nur %2 mm Äste sind in der Leber markiert, zu wenig, um zu sagen, was sie versorgen oder drainieren.</translation>
+    </message>
+    <message>
         <source>Portal vein</source>
         <translation>Pfortader</translation>
     </message>
@@ -1972,12 +1976,12 @@
         <translation>%1 hat kein Label 1 bis 8 in der Leber; wählen Sie eine Karte der Lebersegmente.</translation>
     </message>
     <message>
-        <source>No branch of a portal vein is labelled inside the liver, so what a plan devascularises is not known.</source>
-        <translation>In der Leber ist kein Ast einer Pfortader markiert, daher ist nicht bekannt, was ein Plan devaskularisiert.</translation>
+        <source>No branches of a portal vein are known inside the liver, so what a plan devascularises is not known.</source>
+        <translation>In der Leber sind keine Äste einer Pfortader bekannt, daher ist nicht bekannt, was ein Plan devaskularisiert.</translation>
     </message>
     <message>
-        <source>No hepatic vein is labelled inside the liver, so what a plan congests is not known.</source>
-        <translation>In der Leber ist keine Lebervene markiert, daher ist nicht bekannt, was ein Plan staut.</translation>
+        <source>No branches of hepatic veins are known inside the liver, so what a plan congests is not known.</source>
+        <translation>In der Leber sind keine Äste von Lebervenen bekannt, daher ist nicht bekannt, was ein Plan staut.</translation>
     </message>
     <message>
         <source>&quot;manifest.json&quot; has been changed since the export: export the plan again.</source>

@@ -198,6 +198,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 does not divide the liver: all of it is resected.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has a plane that is not finite; place it again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "\"manifest.json\" has been changed since the export: export the plan again.")},
+    {"sn", QT_TRANSLATE_NOOP(
+               "Sentence", "%1: only %2 mm of branches are labelled inside the liver, too few to say what they supply or drain.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Portal vein")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Hepatic veins")},
     {"", QT_TRANSLATE_NOOP("Sentence", "hepatic veins")},
@@ -217,8 +219,9 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"fss", QT_TRANSLATE_NOOP("Sentence", "%1 (%2) is not on the grid of the case (%3); choose a map of this CT.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 has no label 1 to 8 inside the liver; choose a map of liver segments.")},
     {"", QT_TRANSLATE_NOOP("Sentence",
-                           "No branch of a portal vein is labelled inside the liver, so what a plan devascularises is not known.")},
-    {"", QT_TRANSLATE_NOOP("Sentence", "No hepatic vein is labelled inside the liver, so what a plan congests is not known.")},
+                           "No branches of a portal vein are known inside the liver, so what a plan devascularises is not known.")},
+    {"", QT_TRANSLATE_NOOP("Sentence",
+                           "No branches of hepatic veins are known inside the liver, so what a plan congests is not known.")},
 });
 
 }  // namespace

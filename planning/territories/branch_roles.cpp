@@ -5,8 +5,8 @@
 namespace glisson {
 
 namespace {
-constexpr double kOwnTree = 0.2;  ///< share of the greatest tree that makes another tree its equal
-constexpr double kMostlyInside = 0.5;
+constexpr double kOwnTree = 0.2;        ///< share of the greatest tree that makes another tree its equal
+constexpr double kEnoughInside = 0.25;  ///< share of the length in the liver: splenic and mesenteric branches have none
 constexpr std::int32_t kFewInside = 4;  ///< less than one of this many voxels of the cava's centreline lie in the liver
 constexpr double kCavaWidth = 0.6;      ///< of the radius before: the cava goes on there
 
@@ -27,7 +27,7 @@ class Roles {
       markWideCava();
     }
     for (VesselBranch& branch : graph_.branches) {
-      const bool inside = branch.inLiverMm > 0 && branch.inLiverMm >= kMostlyInside * branch.downstreamMm;
+      const bool inside = branch.inLiverMm > 0 && branch.inLiverMm >= kEnoughInside * branch.downstreamMm;
       if (branch.role != BranchRole::Trunk) {
         branch.role = inside && isLoose_[at(branch.piece)] == 0 ? BranchRole::Supplying : BranchRole::Outside;
       }

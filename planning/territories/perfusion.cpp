@@ -4,10 +4,14 @@
 
 #include "planning/territories/nearest_site.h"
 #include "planning/territories/vessel_cuts.h"
+#include "reconstruction/text.h"
 
 namespace glisson {
 
 namespace {
+/// Complete trees have some 0.5 to 1 mm of centreline per mL of liver; the trunk alone less than 0.05.
+constexpr double kFewestMmPerMl = 0.1;
+
 /// A run of voxels of L with one nearest site of each system.
 struct Cell {
   RowRun run;
@@ -50,6 +54,27 @@ NearestMap nearestSupply(const VesselGraph& graph, const LiverVoxels& liver, con
     site = numbers[static_cast<std::size_t>(site)];
   }
   return map;
+}
+
+/// A label that hardly enters the liver says nothing about what is supplied: its branches own nothing then.
+void dropIfSparse(VesselGraph& graph, const LiverVoxels& liver) {
+  double mm = 0;
+  for (const VesselSite& site : graph.sites) {
+    const bool supplies = graph.branches[static_cast<std::size_t>(site.branch)].role == BranchRole::Supplying;
+    if (supplies && site.inLiver && site.parent >= 0) {
+      mm += (site.positionMm - graph.sites[static_cast<std::size_t>(site.parent)].positionMm).norm();
+    }
+  }
+  if (graph.empty() || mm >= kFewestMmPerMl * liver.totalMl()) {
+    return;
+  }
+  for (VesselBranch& branch : graph.branches) {
+    branch.role = branch.role == BranchRole::Supplying ? BranchRole::Outside : branch.role;
+  }
+  graph.mainBifurcation.reset();
+  graph.notes.push_back(std::string(graph.system == VesselSystem::Portal ? "Portal vein" : "Hepatic veins") + ": only " +
+                        formatNumber(mm, 0) +
+                        " mm of branches are labelled inside the liver, too few to say what they supply or drain.");
 }
 
 /// All structures of the kinds, as one mask.
@@ -175,6 +200,8 @@ LiverPerfusion::LiverPerfusion(const Case& source, const ExecutionContext& conte
   impl_->hepatic =
       vesselGraphOf(VesselSystem::Hepatic, maskOfKinds(*source.segmentation, {StructureKind::HepaticVein, StructureKind::VenaCava}),
                     liver.geometry, liver.liver, &cava, context);
+  dropIfSparse(impl_->portal, liver);
+  dropIfSparse(impl_->hepatic, liver);
   context.report(0.6, "territories");
   const NearestMap portalMap = nearestSupply(impl_->portal, liver, context);
   context.report(0.8, "territories");
@@ -197,10 +224,10 @@ std::vector<std::string> LiverPerfusion::notes() const {
   std::vector<std::string> all = impl_->portal.notes;
   all.insert(all.end(), impl_->hepatic.notes.begin(), impl_->hepatic.notes.end());
   if (!impl_->hasPortal) {
-    all.emplace_back("No branch of a portal vein is labelled inside the liver, so what a plan devascularises is not known.");
+    all.emplace_back("No branches of a portal vein are known inside the liver, so what a plan devascularises is not known.");
   }
   if (!impl_->hasHepatic) {
-    all.emplace_back("No hepatic vein is labelled inside the liver, so what a plan congests is not known.");
+    all.emplace_back("No branches of hepatic veins are known inside the liver, so what a plan congests is not known.");
   }
   return all;
 }

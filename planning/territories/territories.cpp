@@ -13,6 +13,8 @@ namespace {
 constexpr double kMostOfLeft = 0.5;  ///< share of the supplied length: a left liver is not larger
 constexpr double kUsualLeftLow = 0.15;
 constexpr int kSegments = 8;
+constexpr const char* kNoBifurcation =
+    "The label of the portal vein has no main bifurcation, so left and right are not proposed; pick branches.";
 
 std::size_t at(std::int32_t n) { return static_cast<std::size_t>(n); }
 
@@ -75,11 +77,25 @@ std::vector<std::int32_t> picksOfBranches(const VesselGraph& portal, const Terri
   return picks;
 }
 
+/// Sides as of VesselGraph::sidesOf, without those that own nothing.
+std::vector<std::int32_t> owningSides(const VesselGraph& portal, std::int32_t branch, double inLiverMm) {
+  std::vector<std::int32_t> sides = portal.sidesOf(branch, inLiverMm);
+  std::erase_if(sides, [&](std::int32_t side) {
+    for (std::int32_t b = side; at(b) < portal.branches.size(); ++b) {
+      if (portal.branches[at(b)].role == BranchRole::Supplying && portal.isDownstream(b, side)) {
+        return false;
+      }
+    }
+    return true;
+  });
+  return sides;
+}
+
 /// The sides of the next node behind `branch` that has two or more; empty where there is none.
 std::vector<std::int32_t> divisionBehind(const VesselGraph& portal, std::int32_t branch, double inLiverMm) {
-  std::vector<std::int32_t> sides = portal.sidesOf(branch, inLiverMm);
+  std::vector<std::int32_t> sides = owningSides(portal, branch, inLiverMm);
   while (sides.size() == 1) {
-    sides = portal.sidesOf(sides.front(), inLiverMm);
+    sides = owningSides(portal, sides.front(), inLiverMm);
   }
   return sides;
 }
@@ -109,14 +125,17 @@ TerritoryChoice proposeLeftRight(const VesselGraph& portal) {
   TerritoryChoice choice;
   choice.source = TerritorySource::Proposal;
   if (!portal.mainBifurcation) {
-    choice.notes.emplace_back(
-        "The label of the portal vein has no main bifurcation, so left and right are not proposed; pick branches.");
+    choice.notes.emplace_back(kNoBifurcation);
     return choice;
   }
   const auto lengthOf = [&](std::int32_t branch) { return portal.branches[at(branch)].inLiverMm; };
   const std::int32_t trunk = portal.sites[at(portal.nodes[at(*portal.mainBifurcation)].site)].branch;
   const double whole = portal.branches[at(trunk)].inLiverMm;
-  std::vector<std::int32_t> sides = portal.sidesOf(trunk, kSubstantialSide * whole);
+  std::vector<std::int32_t> sides = owningSides(portal, trunk, kSubstantialSide * whole);
+  if (sides.size() < 2) {
+    choice.notes.emplace_back(kNoBifurcation);
+    return choice;
+  }
   const auto isRightOf = [&](std::int32_t a, std::int32_t b) {
     return portal.branches[at(a)].centreMm[0] < portal.branches[at(b)].centreMm[0];
   };

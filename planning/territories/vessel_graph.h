@@ -20,7 +20,8 @@ enum class VesselSystem : std::uint8_t { Portal, Hepatic };
 
 enum class BranchRole : std::uint8_t {
   Trunk,      ///< between the root and the main bifurcation; the vena cava: owns nothing
-  Outside,    ///< mostly outside the liver with all behind it (splenic, mesenteric veins), or a loose small piece: owns nothing
+  Outside,    ///< three quarters outside the liver, with all behind it (splenic, mesenteric veins), or a loose small piece: owns
+              ///< nothing
   Supplying,  ///< owns what is nearest to it
 };
 

@@ -140,6 +140,20 @@ TEST(Perfusion, WithoutVesselsIsNotKnownAndSaid) {
   EXPECT_EQ(perfusion.notes().size(), 2U);
 }
 
+TEST(Perfusion, TrunkThatHardlyEntersTheLiverSaysNothing) {
+  const ImageGeometry g = gridOf({100, 44, 150}, Vec3(1, 1, 1), Vec3(-49.5, -21.5, -106.5));
+  const Case source = newCase(
+      nullptr,
+      segmentationOf(
+          g, {{"liver", StructureKind::Liver, block(kForkLow, kForkHigh)},
+              {"portal vein", StructureKind::PortalVein,
+               anyOf({rod({0, 0, -100}, {0, 0, -30}, 5), rod({0, 0, -30}, {-8, 0, -17}, 3), rod({0, 0, -30}, {9, 0, -17}, 3)})}}));
+  const LiverPerfusion perfusion(source);
+  EXPECT_FALSE(perfusion.effectOf(planOf({{{Vec3(0, 0, 0), Vec3::UnitX()}}})).devascularisedMl);
+  EXPECT_NE(perfusion.notes().at(0).find("too few"), std::string::npos);
+  EXPECT_TRUE(proposeLeftRight(perfusion.portal()).picks.empty());
+}
+
 TEST(Perfusion, LabelledCavaIsNeverCut) {
   // The cava runs through the liver; the resection takes it and the left vein, but the right vein's way stays open.
   const ImageGeometry g = gridOf({120, 60, 120}, Vec3(1, 1, 1), Vec3(-59.5, -29.5, -59.5));
