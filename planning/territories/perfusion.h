@@ -27,7 +27,10 @@ struct PerfusionEstimate {
   double functionalRemnantMl = 0;          ///< remnant of F
   double perfusedFlrMl = 0;                ///< remnant of F that is neither devascularised nor congested
   double perfusedFlrPercent = 0;           ///< of F
-  std::vector<VesselCut> portalCuts;       ///< the first cut of each way from the root; by branch
+  /// False: no vessels are known, and devascularisedOrCongestedMl and perfusedFlr are no statement about perfusion. Show "not
+  /// known".
+  [[nodiscard]] bool isKnown() const { return devascularisedMl.has_value() || congestedMl.has_value(); }
+  std::vector<VesselCut> portalCuts;  ///< the first cut of each way from the root; by branch
   std::vector<VesselCut> hepaticCuts;
   std::uint64_t modelRevision = 0;  ///< what it came from
 };

@@ -58,11 +58,12 @@ std::string toJson(const PlanAssessment& assessment, const TerritoryReport& repo
     estimates["territories"].push_back(
         {{"name", part.name}, {"volumeMl", part.volumeMl}, {"resectedMl", part.resectedMl}, {"remnantMl", part.remnantMl}});
   }
+  const bool known = report.effect.isKnown();
   estimates["devascularisedMl"] = orNull(report.effect.devascularisedMl);
   estimates["congestedMl"] = orNull(report.effect.congestedMl);
-  estimates["devascularisedOrCongestedMl"] = report.effect.devascularisedOrCongestedMl;
-  estimates["perfusedFlrMl"] = report.effect.perfusedFlrMl;
-  estimates["perfusedFlrPercent"] = report.effect.perfusedFlrPercent;
+  estimates["devascularisedOrCongestedMl"] = known ? Json(report.effect.devascularisedOrCongestedMl) : Json(nullptr);
+  estimates["perfusedFlrMl"] = known ? Json(report.effect.perfusedFlrMl) : Json(nullptr);
+  estimates["perfusedFlrPercent"] = known ? Json(report.effect.perfusedFlrPercent) : Json(nullptr);
   estimates["portalCuts"] = cutsOf(report.effect.portalCuts);
   estimates["hepaticCuts"] = cutsOf(report.effect.hepaticCuts);
   const auto& node = perfusion.portal().mainBifurcation;
