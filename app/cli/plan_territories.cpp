@@ -152,11 +152,15 @@ void TerritoryCommand::printText(const TerritoryReport& report) const {
       std::cout << "left and right are proposed from the main bifurcation: look at them, then give --confirm-territories\n";
     }
   }
-  std::cout << "estimated remnant without inflow: devascularised " << mlOrUnknown(report.effect.devascularisedMl)
-            << ", without outflow: congested " << mlOrUnknown(report.effect.congestedMl)
-            << ", either: " << ml(report.effect.devascularisedOrCongestedMl) << '\n'
-            << "estimated functional remnant without them: " << ml(report.effect.perfusedFlrMl) << ", FLR "
-            << formatNumber(report.effect.perfusedFlrPercent, 1) << " %\n";
+  const PerfusionEstimate& effect = report.effect;
+  std::cout << "estimated remnant without inflow: devascularised " << mlOrUnknown(effect.devascularisedMl)
+            << ", without outflow: congested " << mlOrUnknown(effect.congestedMl);
+  if (effect.isKnown()) {
+    std::cout << ", either: " << ml(effect.devascularisedOrCongestedMl)
+              << "\nestimated functional remnant without them: " << ml(effect.perfusedFlrMl) << ", FLR "
+              << formatNumber(effect.perfusedFlrPercent, 1) << " %";
+  }
+  std::cout << '\n';
   printCuts("portal", report.effect.portalCuts);
   printCuts("hepatic", report.effect.hepaticCuts);
 }

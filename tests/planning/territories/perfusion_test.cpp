@@ -137,6 +137,7 @@ TEST(Perfusion, WithoutVesselsIsNotKnownAndSaid) {
   EXPECT_FALSE(r.devascularisedMl);
   EXPECT_FALSE(r.congestedMl);
   EXPECT_EQ(r.perfusedFlrMl, r.functionalRemnantMl);
+  EXPECT_FALSE(r.isKnown());
   EXPECT_EQ(perfusion.notes().size(), 2U);
 }
 
