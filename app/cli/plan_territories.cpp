@@ -85,7 +85,9 @@ void printBranches(const VesselGraph& portal) {
                       formatNumber(100 * branch.inLiverMm / whole, 1) + " %"});
     }
   }
-  std::cout << alignedTable(rows);
+  if (rows.size() > 1) {
+    std::cout << alignedTable(rows);
+  }
 }
 }  // namespace
 
