@@ -1920,6 +1920,78 @@
         <translation>%1 hat eine Ebene, die nicht endlich ist; setzen Sie sie neu.</translation>
     </message>
     <message>
+        <source>%1: only %2 mm of branches are labelled inside the liver, too few to say what they supply or drain.</source>
+        <translation>%1: Nur %2 mm Äste sind in der Leber markiert, zu wenig, um zu sagen, was sie versorgen oder drainieren.</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Lebervenen</translation>
+    </message>
+    <message>
+        <source>hepatic veins</source>
+        <translation>Lebervenen</translation>
+    </message>
+    <message>
+        <source>territories</source>
+        <translation>Territorien</translation>
+    </message>
+    <message>
+        <source>%1: the mask does not lie on the grid of the liver; read the segmentation again.</source>
+        <translation>%1: Die Maske liegt nicht auf dem Gitter der Leber; lesen Sie die Segmentierung neu ein.</translation>
+    </message>
+    <message>
+        <source>%1: separate pieces taken for continuations of the branch nearest to them: %2</source>
+        <translation>%1: getrennte Stücke, die als Fortsetzung des nächsten Astes gelten: %2</translation>
+    </message>
+    <message>
+        <source>%1: separate pieces that own nothing because what they hang on is not known: %2</source>
+        <translation>%1: getrennte Stücke, denen nichts zugeordnet wird, weil unbekannt ist, woran sie hängen: %2</translation>
+    </message>
+    <message>
+        <source>The label of the portal vein has no main bifurcation, so left and right are not proposed; pick branches.</source>
+        <translation>Das Label der Pfortader hat keine Hauptgabelung, daher werden links und rechts nicht vorgeschlagen; wählen Sie Äste.</translation>
+    </message>
+    <message>
+        <source>The proposed left side has %1 % of the portal branches&apos; length, which is unusual; look at it closely.</source>
+        <translation>Die vorgeschlagene linke Seite hat %1 % der Länge der Pfortaderäste, was ungewöhnlich ist; sehen Sie sie genau an.</translation>
+    </message>
+    <message>
+        <source>%1: the portal vein has no branch %2; it has 0 to %3.</source>
+        <translation>%1: Die Pfortader hat keinen Ast %2; sie hat 0 bis %3.</translation>
+    </message>
+    <message>
+        <source>%1: branch %2 is picked twice; name it once.</source>
+        <translation>%1: Ast %2 ist zweimal gewählt; nennen Sie ihn einmal.</translation>
+    </message>
+    <message>
+        <source>%1 owns nothing of the liver; pick a branch that supplies it.</source>
+        <translation>%1 gehört nichts von der Leber; wählen Sie einen Ast, der sie versorgt.</translation>
+    </message>
+    <message>
+        <source>No branch of the portal vein is picked; pick branches, or give a map of segments 1 to 8.</source>
+        <translation>Kein Ast der Pfortader ist gewählt; wählen Sie Äste oder geben Sie eine Karte der Segmente 1 bis 8 an.</translation>
+    </message>
+    <message>
+        <source>%1 (%2) is not on the grid of the case (%3); choose a map of this CT.</source>
+        <translation>%1 (%2) liegt nicht auf dem Gitter des Falls (%3); wählen Sie eine Karte dieses CT.</translation>
+    </message>
+    <message>
+        <source>%1 has no label 1 to 8 inside the liver; choose a map of liver segments.</source>
+        <translation>%1 hat kein Label 1 bis 8 in der Leber; wählen Sie eine Karte der Lebersegmente.</translation>
+    </message>
+    <message>
+        <source>No branches of a portal vein are known inside the liver, so what a plan devascularises is not known.</source>
+        <translation>In der Leber sind keine Äste einer Pfortader bekannt, daher ist nicht bekannt, was ein Plan devaskularisiert.</translation>
+    </message>
+    <message>
+        <source>No branches of hepatic veins are known inside the liver, so what a plan congests is not known.</source>
+        <translation>In der Leber sind keine Äste von Lebervenen bekannt, daher ist nicht bekannt, was ein Plan staut.</translation>
+    </message>
+    <message>
         <source>&quot;manifest.json&quot; has been changed since the export: export the plan again.</source>
         <translation>„manifest.json“ wurde seit dem Export geändert: Exportieren Sie den Plan erneut.</translation>
     </message>

@@ -186,7 +186,7 @@ Json measuresJson(const std::vector<Measure>& measures) {
 }
 
 void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, const std::optional<Comparison>& comparison,
-          const ExecutionContext& context) {
+          const TerritoryCommand* territories, const ExecutionContext& context) {
   const FlrCard card = flrCard(work.source.patient, assessment);
   const std::vector<TumourMeasures> tumours = tumourMeasures(work.source, context);
   if (!flags.json) {
@@ -201,9 +201,13 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
     if (comparison) {
       print(comparison->table, comparison->differences);
     }
+    if (territories != nullptr) {
+      territories->printText(territories->report(work.plan()));
+    }
     return;
   }
-  Json json = Json::parse(toJson(assessment));
+  Json json = Json::parse(territories == nullptr ? toJson(assessment)
+                                                 : toJson(assessment, territories->report(work.plan()), territories->perfusion()));
   json["plan"] = work.plan().name;
   json["safetyMarginMm"] = work.plan().safetyMarginMm;
   json["warning"] = assessment.warning.empty() ? Json(nullptr) : Json(assessment.warning);
@@ -223,6 +227,7 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
 }
 
 int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
+  checkTerritoryFlags(flags.territories);
   CaseFile file = CaseFile::open(flags.caseFile);
   Work work{file.load(), 0, {}, {}, false};
   work.index = planIndex(work.source.plans, flags.plan, "--plan", flags.caseFile);
@@ -242,13 +247,17 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
     checkDivides(assessment.resections[*work.cut], assessment.totalMl, work.source);
   }
   const std::optional<Comparison> comparison = compared(flags, work, assessor);
+  std::optional<TerritoryCommand> territories;
+  if (flags.territories.wanted) {
+    territories.emplace(work.source, flags.territories, context);
+  }
   if (work.edited && !flags.dryRun) {
     file.storePlans(work.source.plans);
   }
   if (work.source.patient != before && !flags.dryRun) {
     file.storePatient(work.source.patient);
   }
-  show(flags, work, assessment, comparison, context);
+  show(flags, work, assessment, comparison, territories ? &*territories : nullptr, context);
   return kDone;
 }
 

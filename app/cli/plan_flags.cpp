@@ -112,6 +112,7 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
   command.add_option("--tumour-type", flags.tumourType, "colorectal-metastases, hepatocellular or none");
   command.add_flag("--dry-run", flags.dryRun, "Show the numbers and store nothing");
   command.add_flag("--json", flags.json, "JSON on stdout");
+  addTerritoryFlags(command, flags.territories);
 }
 
 std::vector<HalfSpace> planesOf(const PlanFlags& flags, const ImageGeometry& geometry) {

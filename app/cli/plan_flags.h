@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/plan_territories.h"
 #include "planning/case/case.h"
 
 namespace glisson::cli {
@@ -37,6 +38,7 @@ struct PlanFlags {
   std::string condition;
   std::string tumourType;
 
+  TerritoryFlags territories;
   bool dryRun = false;
   bool json = false;
 };

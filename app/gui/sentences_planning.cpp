@@ -198,6 +198,30 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 does not divide the liver: all of it is resected.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has a plane that is not finite; place it again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "\"manifest.json\" has been changed since the export: export the plan again.")},
+    {"sn", QT_TRANSLATE_NOOP(
+               "Sentence", "%1: only %2 mm of branches are labelled inside the liver, too few to say what they supply or drain.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "Portal vein")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "Hepatic veins")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "hepatic veins")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "territories")},
+    {"s", QT_TRANSLATE_NOOP("Sentence", "%1: the mask does not lie on the grid of the liver; read the segmentation again.")},
+    {"sn", QT_TRANSLATE_NOOP("Sentence", "%1: separate pieces taken for continuations of the branch nearest to them: %2")},
+    {"sn", QT_TRANSLATE_NOOP("Sentence", "%1: separate pieces that own nothing because what they hang on is not known: %2")},
+    {"",
+     QT_TRANSLATE_NOOP("Sentence",
+                       "The label of the portal vein has no main bifurcation, so left and right are not proposed; pick branches.")},
+    {"n", QT_TRANSLATE_NOOP(
+              "Sentence", "The proposed left side has %1 % of the portal branches' length, which is unusual; look at it closely.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "%1: the portal vein has no branch %2; it has 0 to %3.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "%1: branch %2 is picked twice; name it once.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "%1 owns nothing of the liver; pick a branch that supplies it.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "No branch of the portal vein is picked; pick branches, or give a map of segments 1 to 8.")},
+    {"fss", QT_TRANSLATE_NOOP("Sentence", "%1 (%2) is not on the grid of the case (%3); choose a map of this CT.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "%1 has no label 1 to 8 inside the liver; choose a map of liver segments.")},
+    {"", QT_TRANSLATE_NOOP("Sentence",
+                           "No branches of a portal vein are known inside the liver, so what a plan devascularises is not known.")},
+    {"", QT_TRANSLATE_NOOP("Sentence",
+                           "No branches of hepatic veins are known inside the liver, so what a plan congests is not known.")},
 });
 
 }  // namespace

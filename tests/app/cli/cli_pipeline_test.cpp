@@ -58,6 +58,53 @@ TEST(CliPlan, AddsAResectionAndGivesItsNumbers) {
   EXPECT_EQ(again, plan) << "the stored plan is not the one assessed";
 }
 
+TEST(CliPlan, TerritoriesAddUpToTheLiverAndAreConfirmedOnlyByAPerson) {
+  const TemporaryFolder folder;
+  const std::string file = copyOfCase(folder);
+  const Finished finished = cli({"plan", file, "--plane", middlePlane(file), "--territories", "--json"});
+  ASSERT_EQ(finished.exitCode, 0) << finished.err;
+  const Json plan = Json::parse(finished.out);
+  const Json& estimates = plan["estimates"];
+  EXPECT_EQ(estimates["territoriesFrom"], "proposal");
+  EXPECT_EQ(estimates["territoriesConfirmed"], false);
+  ASSERT_EQ(estimates["territories"].size(), 2U);
+  EXPECT_EQ(keysOf(estimates["territories"][0]), (Keys{"name", "volumeMl", "resectedMl", "remnantMl"}));
+  double total = 0;
+  double resected = 0;
+  for (const Json& part : estimates["territories"]) {
+    total += part["volumeMl"].get<double>();
+    resected += part["resectedMl"].get<double>();
+  }
+  EXPECT_NEAR(total, plan["totalMl"].get<double>(), 1e-9);
+  EXPECT_NEAR(resected, plan["resectedMl"].get<double>(), 1e-6);
+  EXPECT_LE(estimates["perfusedFlrMl"].get<double>(), plan["functionalRemnantMl"].get<double>() + 1e-9);
+  const Json confirmed = Json::parse(cli({"plan", file, "--territories", "--confirm-territories", "--json"}).out)["estimates"];
+  EXPECT_EQ(confirmed["territoriesConfirmed"], true);
+  EXPECT_EQ(confirmed["territories"], estimates["territories"]);
+}
+
+TEST(CliPlan, TerritoriesCanBePickedOrReadFromAMapOfSegments) {
+  const TemporaryFolder folder;
+  const std::string file = copyOfCase(folder);
+  const Finished picked = cli({"plan", file, "--territories", "--territory", "whole=0", "--json"});
+  ASSERT_EQ(picked.exitCode, 0) << picked.err;
+  const Json plan = Json::parse(picked.out);
+  EXPECT_EQ(plan["estimates"]["territoriesFrom"], "picked");
+  ASSERT_EQ(plan["estimates"]["territories"].size(), 1U);
+  EXPECT_EQ(plan["estimates"]["territories"][0]["volumeMl"], plan["totalMl"]);
+  expectRefusal(cli({"plan", file, "--territories", "--territory", "none=99999"}), 2, "has no branch 99999");
+  const Finished segments =
+      cli({"plan", file, "--territories", "--segments", (samplePatient() / "labels.nii.gz").string(), "--json"});
+  ASSERT_EQ(segments.exitCode, 0) << segments.err;  // the patient's labels 1 to 7, taken for segments
+  const Json map = Json::parse(segments.out);
+  double total = 0;
+  for (const Json& part : map["estimates"]["territories"]) {
+    total += part["volumeMl"].get<double>();
+  }
+  EXPECT_NEAR(total, map["totalMl"].get<double>(), 1e-9);
+  EXPECT_NE(cli({"plan", file, "--territories"}).out.find("--confirm-territories"), std::string::npos);
+}
+
 TEST(CliPlan, UnknownPlanNameIsRefusedAndStoresNothing) {
   const TemporaryFolder folder;
   const std::string file = copyOfCase(folder);

@@ -72,6 +72,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--prefer", "xform"},
                     Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--labels", "1=spoon"}, Keys{"model", "SEG", "-o", "OUT.stl"},
                     Keys{"export", "SEG", "-o", "OUT", "--formats", "doc"}, Keys{"plan", "SEG", "--plane", "1,2,3"},
+                    Keys{"plan", "SEG", "--confirm-territories"}, Keys{"plan", "SEG", "--territory", "left=1"},
+                    Keys{"plan", "SEG", "--territories", "--territory", "left"},
+                    Keys{"plan", "SEG", "--territories", "--territory", "left=a"},
+                    Keys{"plan", "SEG", "--territories", "--territory", "left="},
+                    Keys{"plan", "SEG", "--territories", "--confirm-territories", "--segments", "SEG"},
                     Keys{"plan", "SEG", "--plane", "0,0,0,0,0,0"}, Keys{"plan", "SEG", "--plane", "0,0,0,0,nan,1"}));
 
 TEST(CliRefusal, OfAMissingFileEndsWithThreeAndWritesNothing) {

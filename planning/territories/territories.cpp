@@ -1,0 +1,251 @@
+#include "planning/territories/territories.h"
+
+#include <algorithm>
+
+#include "planning/territories/nearest_site.h"
+#include "planning/volumetry/resected.h"
+#include "reconstruction/errors.h"
+#include "reconstruction/text.h"
+
+namespace glisson {
+
+namespace {
+constexpr double kMostOfLeft = 0.5;  ///< share of the supplied length: a left liver is not larger
+constexpr double kUsualLeftLow = 0.15;
+constexpr int kSegments = 8;
+constexpr const char* kNoBifurcation =
+    "The label of the portal vein has no main bifurcation, so left and right are not proposed; pick branches.";
+
+std::size_t at(std::int32_t n) { return static_cast<std::size_t>(n); }
+
+/// Calls visit(i, j, k, set) for every voxel of L's box and deals the set ones to `parts` by the label visit returns.
+template <typename LabelOf>
+void dealVoxels(const Mask& liver, LabelOf&& labelOf, std::vector<Territory>& parts) {
+  const IndexBox& box = liver.box();
+  const auto values = liver.values();
+  std::size_t n = 0;
+  for (int k = box.first[2]; k < box.first[2] + box.size[2]; ++k) {
+    for (int j = box.first[1]; j < box.first[1] + box.size[1]; ++j) {
+      std::size_t open = parts.size();  // the part whose last run ends at the voxel before
+      for (int i = box.first[0]; i < box.first[0] + box.size[0]; ++i, ++n) {
+        if (values[n] == 0) {
+          open = parts.size();
+          continue;
+        }
+        const std::size_t label = labelOf(i, j, k);
+        VoxelRows& rows = parts[label].rows;
+        if (label == open) {
+          ++rows.runs.back().n;
+        } else {
+          rows.runs.push_back({i, j, k, 1});
+        }
+        ++rows.voxels;
+        open = label;
+      }
+    }
+  }
+}
+
+/// The pick of every branch, by its own or the nearest picked branch towards the root; -1 where there is none or it owns nothing.
+std::vector<std::int32_t> picksOfBranches(const VesselGraph& portal, const TerritoryChoice& choice) {
+  std::vector<std::int32_t> picks(portal.branches.size(), -1);
+  for (std::size_t p = 0; p < choice.picks.size(); ++p) {
+    for (const std::int32_t branch : choice.picks[p].branches) {
+      if (branch < 0 || at(branch) >= picks.size()) {
+        throw UsageError(choice.picks[p].name + ": the portal vein has no branch " + std::to_string(branch) + "; it has 0 to " +
+                         std::to_string(static_cast<long long>(picks.size()) - 1) + ".");
+      }
+      if (picks[at(branch)] >= 0) {
+        throw UsageError(choice.picks[p].name + ": branch " + std::to_string(branch) + " is picked twice; name it once.");
+      }
+      picks[at(branch)] = static_cast<std::int32_t>(p);
+    }
+  }
+  std::vector<std::uint8_t> owns(choice.picks.size(), 0);
+  for (std::size_t b = 0; b < picks.size(); ++b) {
+    const VesselBranch& branch = portal.branches[b];
+    picks[b] = picks[b] < 0 && branch.parent >= 0 ? picks[at(branch.parent)] : picks[b];
+    if (picks[b] >= 0 && branch.role == BranchRole::Supplying) {
+      owns[at(picks[b])] = 1;
+    }
+  }
+  for (std::size_t p = 0; p < owns.size(); ++p) {
+    if (owns[p] == 0) {
+      throw UsageError(choice.picks[p].name + " owns nothing of the liver; pick a branch that supplies it.");
+    }
+  }
+  return picks;
+}
+
+/// Sides as of VesselGraph::sidesOf, without those that own nothing.
+std::vector<std::int32_t> owningSides(const VesselGraph& portal, std::int32_t branch, double inLiverMm) {
+  std::vector<std::int32_t> sides = portal.sidesOf(branch, inLiverMm);
+  std::erase_if(sides, [&](std::int32_t side) {
+    for (std::int32_t b = side; at(b) < portal.branches.size(); ++b) {
+      if (portal.branches[at(b)].role == BranchRole::Supplying && portal.isDownstream(b, side)) {
+        return false;
+      }
+    }
+    return true;
+  });
+  return sides;
+}
+
+/// The sides of the next node behind `branch` that has two or more; empty where there is none.
+std::vector<std::int32_t> divisionBehind(const VesselGraph& portal, std::int32_t branch, double inLiverMm) {
+  std::vector<std::int32_t> sides = owningSides(portal, branch, inLiverMm);
+  while (sides.size() == 1) {
+    sides = owningSides(portal, sides.front(), inLiverMm);
+  }
+  return sides;
+}
+
+/// The number that ends a name, else the label.
+int segmentNumber(const LabelledMask& structure) {
+  const std::size_t digits = structure.name.find_last_not_of("0123456789");
+  const std::size_t begin = digits == std::string::npos ? 0 : digits + 1;
+  const auto number = begin < structure.name.size() ? parseInteger(structure.name.substr(begin)) : std::nullopt;
+  return number && *number >= 1 && *number <= kSegments ? static_cast<int>(*number) : structure.label;
+}
+}  // namespace
+
+std::string_view textOf(TerritorySource source) {
+  switch (source) {
+    case TerritorySource::Proposal:
+      return "proposal";
+    case TerritorySource::Segments:
+      return "segments";
+    case TerritorySource::Picked:
+      break;
+  }
+  return "picked";
+}
+
+TerritoryChoice proposeLeftRight(const VesselGraph& portal) {
+  TerritoryChoice choice;
+  choice.source = TerritorySource::Proposal;
+  if (!portal.mainBifurcation) {
+    choice.notes.emplace_back(kNoBifurcation);
+    return choice;
+  }
+  const auto lengthOf = [&](std::int32_t branch) { return portal.branches[at(branch)].inLiverMm; };
+  const std::int32_t trunk = portal.sites[at(portal.nodes[at(*portal.mainBifurcation)].site)].branch;
+  const double whole = portal.branches[at(trunk)].inLiverMm;
+  std::vector<std::int32_t> sides = owningSides(portal, trunk, kSubstantialSide * whole);
+  if (sides.size() < 2) {
+    choice.notes.emplace_back(kNoBifurcation);
+    return choice;
+  }
+  const auto isRightOf = [&](std::int32_t a, std::int32_t b) {
+    return portal.branches[at(a)].centreMm[0] < portal.branches[at(b)].centreMm[0];
+  };
+  while (true) {
+    const auto left = std::max_element(sides.begin(), sides.end(), isRightOf);
+    std::iter_swap(left, sides.begin());
+    const auto parts = divisionBehind(portal, sides.front(), kSubstantialSide * whole);
+    if (lengthOf(sides.front()) <= kMostOfLeft * whole || parts.empty()) {
+      break;
+    }
+    sides.erase(sides.begin());
+    sides.insert(sides.end(), parts.begin(), parts.end());
+  }
+  std::sort(sides.begin() + 1, sides.end());
+  choice.picks = {{"left", {sides.front()}}, {"right", {sides.begin() + 1, sides.end()}}};
+  const double share = lengthOf(sides.front()) / whole;
+  if (share < kUsualLeftLow || share > kMostOfLeft) {
+    choice.notes.push_back("The proposed left side has " + formatNumber(100 * share, 0) +
+                           " % of the portal branches' length, which is unusual; look at it closely.");
+  }
+  return choice;
+}
+
+Territories territoriesOf(const LiverVoxels& liver, const VesselGraph& portal, const TerritoryChoice& choice,
+                          const ExecutionContext& context) {
+  if (choice.picks.empty()) {
+    throw UsageError("No branch of the portal vein is picked; pick branches, or give a map of segments 1 to 8.");
+  }
+  const std::vector<std::int32_t> picks = picksOfBranches(portal, choice);
+  std::vector<Index3> sites;
+  std::vector<std::size_t> labels;
+  IndexBox box = liver.liver.box();
+  for (const VesselSite& site : portal.sites) {
+    if (picks[at(site.branch)] >= 0 && portal.branches[at(site.branch)].role == BranchRole::Supplying) {
+      sites.push_back(site.voxel);
+      labels.push_back(at(picks[at(site.branch)]));
+      box = enclosing(box, {site.voxel, {1, 1, 1}});
+    }
+  }
+  const std::vector<std::int32_t> nearest = nearestSites(box, liver.geometry.spacing, sites, context);
+  Territories made;
+  made.geometry = liver.geometry;
+  made.source = choice.source;
+  made.confirmed = choice.confirmed;
+  made.notes = choice.notes;
+  for (const TerritoryPick& pick : choice.picks) {
+    made.parts.push_back({pick.name, {}});
+  }
+  const auto offset = [&](int i, int j, int k) {
+    return static_cast<std::size_t>(i - box.first[0]) +
+           static_cast<std::size_t>(box.size[0]) *
+               (static_cast<std::size_t>(j - box.first[1]) +
+                static_cast<std::size_t>(box.size[1]) * static_cast<std::size_t>(k - box.first[2]));
+  };
+  dealVoxels(
+      liver.liver, [&](int i, int j, int k) { return labels[at(nearest[offset(i, j, k)])]; }, made.parts);
+  return made;
+}
+
+Territories segmentTerritories(const LiverVoxels& liver, const Segmentation& segments) {
+  if (segments.geometry.cornerDistance(liver.geometry) > kSameGridMm) {
+    throw InputError(segments.source + " (" + segments.geometry.describe() + ") is not on the grid of the case (" +
+                     liver.geometry.describe() + "); choose a map of this CT.");
+  }
+  std::vector<std::vector<const Mask*>> masks(kSegments);
+  for (const LabelledMask& structure : segments.structures) {
+    const int number = segmentNumber(structure);
+    if (number >= 1 && number <= kSegments && structure.mask) {
+      masks[static_cast<std::size_t>(number) - 1].push_back(structure.mask.get());
+    }
+  }
+  Territories made;
+  made.geometry = liver.geometry;
+  made.source = TerritorySource::Segments;
+  made.confirmed = true;
+  for (int n = 1; n <= kSegments; ++n) {
+    made.parts.push_back({"segment " + std::to_string(n), {}});
+  }
+  made.parts.push_back({"unassigned", {}});
+  dealVoxels(
+      liver.liver,
+      [&](int i, int j, int k) {
+        std::size_t n = 0;
+        while (n < masks.size() &&
+               std::none_of(masks[n].begin(), masks[n].end(), [&](const Mask* mask) { return mask->at(i, j, k); })) {
+          ++n;
+        }
+        return n;
+      },
+      made.parts);
+  std::erase_if(made.parts, [](const Territory& part) { return part.rows.voxels == 0; });
+  if (made.parts.empty() || made.parts.front().name == "unassigned") {
+    throw InputError(segments.source + " has no label 1 to 8 inside the liver; choose a map of liver segments.");
+  }
+  return made;
+}
+
+std::vector<TerritoryVolume> volumesOf(const Territories& territories, const ResectionPlan& plan) {
+  const std::vector<ImageResection> resections = toImage(plan, territories.geometry);
+  const double voxelMl = territories.geometry.voxelVolumeMm3() * kMlPerMm3;
+  std::vector<TerritoryVolume> volumes;
+  volumes.reserve(territories.parts.size());
+  for (const Territory& part : territories.parts) {
+    const std::int64_t resected = resect(part.rows, territories.geometry.spacing, resections).totalUnits();
+    const std::int64_t remnant = (static_cast<std::int64_t>(part.rows.voxels) << 32) - resected;
+    volumes.push_back({part.name, static_cast<double>(part.rows.voxels) * voxelMl,
+                       static_cast<double>(resected) / kUnitsPerVoxel * voxelMl,
+                       static_cast<double>(remnant) / kUnitsPerVoxel * voxelMl});
+  }
+  return volumes;
+}
+
+}  // namespace glisson

@@ -1,0 +1,81 @@
+#include "planning/territories/territory_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace glisson {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json pointOf(const Vec3& p) { return Json::array({p[0], p[1], p[2]}); }
+
+std::string_view textOf(BranchRole role) {
+  switch (role) {
+    case BranchRole::Trunk:
+      return "trunk";
+    case BranchRole::Supplying:
+      return "supplying";
+    case BranchRole::Outside:
+      break;
+  }
+  return "outside";
+}
+
+Json cutsOf(const std::vector<VesselCut>& cuts) {
+  Json list = Json::array();
+  for (const VesselCut& cut : cuts) {
+    list.push_back({{"branch", cut.branch}, {"positionMm", pointOf(cut.positionMm)}, {"diameterMm", 2 * cut.radiusMm}});
+  }
+  return list;
+}
+
+Json branchesOf(const VesselGraph& graph) {
+  Json list = Json::array();
+  for (std::size_t b = 0; b < graph.branches.size(); ++b) {
+    const VesselBranch& branch = graph.branches[b];
+    list.push_back({{"branch", b},
+                    {"parent", branch.parent < 0 ? Json(nullptr) : Json(branch.parent)},
+                    {"role", textOf(branch.role)},
+                    {"lengthMm", branch.lengthMm},
+                    {"meanRadiusMm", branch.meanRadiusMm},
+                    {"minRadiusMm", branch.minRadiusMm},
+                    {"downstreamInLiverMm", branch.inLiverMm},
+                    {"fromMm", pointOf(branch.lineMm.front())},
+                    {"toMm", pointOf(branch.lineMm.back())}});
+  }
+  return list;
+}
+}  // namespace
+
+std::string toJson(const PlanAssessment& assessment, const TerritoryReport& report, const LiverPerfusion& perfusion) {
+  Json json = Json::parse(toJson(assessment));
+  Json estimates;
+  estimates["territoriesFrom"] = textOf(report.territories.source);
+  estimates["territoriesConfirmed"] = report.territories.confirmed;
+  estimates["territories"] = Json::array();
+  for (const TerritoryVolume& part : report.volumes) {
+    estimates["territories"].push_back(
+        {{"name", part.name}, {"volumeMl", part.volumeMl}, {"resectedMl", part.resectedMl}, {"remnantMl", part.remnantMl}});
+  }
+  const bool known = report.effect.isKnown();
+  estimates["devascularisedMl"] = orNull(report.effect.devascularisedMl);
+  estimates["congestedMl"] = orNull(report.effect.congestedMl);
+  estimates["devascularisedOrCongestedMl"] = known ? Json(report.effect.devascularisedOrCongestedMl) : Json(nullptr);
+  estimates["perfusedFlrMl"] = known ? Json(report.effect.perfusedFlrMl) : Json(nullptr);
+  estimates["perfusedFlrPercent"] = known ? Json(report.effect.perfusedFlrPercent) : Json(nullptr);
+  estimates["portalCuts"] = cutsOf(report.effect.portalCuts);
+  estimates["hepaticCuts"] = cutsOf(report.effect.hepaticCuts);
+  const auto& node = perfusion.portal().mainBifurcation;
+  const VesselGraph& portal = perfusion.portal();
+  estimates["mainBifurcationMm"] =
+      node ? pointOf(portal.sites[static_cast<std::size_t>(portal.nodes[static_cast<std::size_t>(*node)].site)].positionMm)
+           : Json(nullptr);
+  estimates["portalBranches"] = branchesOf(portal);
+  estimates["notes"] = report.notes;
+  json["estimates"] = std::move(estimates);
+  // A name that is no UTF-8 must not cost the numbers.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace glisson

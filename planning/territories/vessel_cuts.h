@@ -1,0 +1,17 @@
+#pragma once
+// Purpose: which sites of a vessel graph a plan cuts off from their root. A part of LiverPerfusion.
+
+#include "planning/territories/perfusion.h"
+#include "planning/volumetry/resected.h"
+
+namespace glisson {
+
+struct LostSites {
+  std::vector<std::uint8_t> isLost;  ///< per site
+  std::vector<VesselCut> cuts;
+};
+
+/// `plan` in the image frame of `geometry`.
+LostSites lostSites(const VesselGraph& graph, const ImageGeometry& geometry, const std::vector<ImageResection>& plan);
+
+}  // namespace glisson
