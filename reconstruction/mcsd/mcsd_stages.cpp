@@ -165,11 +165,11 @@ IndexSurface reversed(IndexSurface surface) {
   return surface;
 }
 
-IndexSurface passedThroughNormals(const IndexSurface& surface, bool split, const ExecutionContext& context) {
+IndexSurface splitAtSharpEdges(const IndexSurface& surface, const ExecutionContext& context) {
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(dataOf(surface));
   normals->SetFeatureAngle(60);
-  normals->SetSplitting(split ? 1 : 0);
+  normals->SplittingOn();
   return run(*normals, context, "normals");
 }
 

@@ -28,9 +28,8 @@ IndexSurface decimate(const IndexSurface& surface, double share, const Execution
 IndexSurface smooth(const IndexSurface& surface, SmoothingFilter filter, int iterations, const ExecutionContext& context);
 /// Every triangle the other way round, as vtkReverseSense.
 IndexSurface reversed(IndexSurface surface);
-/// vtkPolyDataNormals: with `split` vertices at sharp edges are doubled. Without, only triangles around edges of more than two are
-/// turned: the rest are the normals, which are not kept.
-IndexSurface passedThroughNormals(const IndexSurface& surface, bool split, const ExecutionContext& context);
+/// vtkPolyDataNormals with Splitting: vertices at sharp edges are doubled.
+IndexSurface splitAtSharpEdges(const IndexSurface& surface, const ExecutionContext& context);
 
 bool everyEdgeHasTwoTriangles(const IndexSurface& surface);
 /// Into mm LPS; points that no triangle uses are dropped.

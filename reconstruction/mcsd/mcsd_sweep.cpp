@@ -159,14 +159,14 @@ void Sweep::decimateEach(const Staged& from, const Sets& sets, const ExecutionCo
 }
 
 void Sweep::finish(const Staged& made, const Sets& sets, const ExecutionContext& context) const {
-  const bool sound = mcsd::everyEdgeHasTwoTriangles(*made.surface);
   for (std::size_t n = 0; n < sets.size(); ++n) {
     const auto part = context.range(static_cast<double>(n) / static_cast<double>(sets.size()),
                                     static_cast<double>(n + 1) / static_cast<double>(sets.size()));
     McsdResult result{{}, made.extractSeconds, made.decimateSeconds, made.smoothSeconds};
-    const bool split = parameters_[sets[n]].splitNormals;
-    result.mesh = split || !sound ? toWorld(mcsd::passedThroughNormals(*made.surface, split, part.range(0.0, 0.0)), geometry_)
-                                  : toWorld(*made.surface, geometry_);
+    // Without splitting the filter only adds normals, which a SurfaceMesh does not carry (see mcsd.h).
+    result.mesh = parameters_[sets[n]].splitNormals
+                      ? toWorld(mcsd::splitAtSharpEdges(*made.surface, part.range(0.0, 0.0)), geometry_)
+                      : toWorld(*made.surface, geometry_);
     visit_(sets[n], std::move(result), part);
   }
 }

@@ -4,6 +4,7 @@
 //                                                  and structures of a patient; --depths: every depth instead of the methods
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -111,7 +112,7 @@ std::vector<ReconstructionParameters> methodsOf(const Tree& tree, bool depths) {
     return {psr(7, 0), psr(7, kScreening), psr(8, 0), psr(8, kScreening), psr(9, 0), psr(9, kScreening)};
   }
   return {mcsd(SmoothingFilter::Sinc, 10), mcsd(SmoothingFilter::Laplacian, 22), psr(0, 0), psr(0, kScreening),
-          psr(0, kScreening, 0.2 * tree.geometry.spacing.minCoeff())};
+          psr(0, kScreening, std::round(200 * tree.geometry.spacing.minCoeff()) / 1000)};
 }
 
 void printRow(const Tree& tree, const ReconstructionParameters& parameters) {

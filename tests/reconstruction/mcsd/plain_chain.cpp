@@ -53,7 +53,7 @@ ImageGeometry obliqueGeometry(const Index3& size, bool leftHanded) {
 }
 
 /// The reference chain, written plainly on the whole grid (method.md 3; inside 201: see mcsd.h).
-SurfaceMesh plainChain(const Mask& mask, const ImageGeometry& geometry, const McsdParameters& p) {
+SurfaceMesh plainChain(const Mask& mask, const ImageGeometry& geometry, const McsdParameters& p, bool consistency) {
   vtkNew<vtkImageData> image;
   image->SetDimensions(geometry.size.data());
   image->AllocateScalars(VTK_SHORT, 1);
@@ -126,6 +126,7 @@ SurfaceMesh plainChain(const Mask& mask, const ImageGeometry& geometry, const Mc
   normals->SetInputConnection(last);
   normals->SetFeatureAngle(60);
   normals->SetSplitting(p.splitNormals ? 1 : 0);
+  normals->SetConsistency(p.splitNormals || consistency ? 1 : 0);
   normals->Update();
   vtkPolyData* surface = normals->GetOutput();
   SurfaceMesh mesh;
