@@ -227,6 +227,7 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
 }
 
 int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
+  checkFlags(flags);
   checkTerritoryFlags(flags.territories);
   CaseFile file = CaseFile::open(flags.caseFile);
   Work work{file.load(), 0, {}, {}, false};

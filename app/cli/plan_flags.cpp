@@ -115,6 +115,20 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
   addTerritoryFlags(command, flags.territories);
 }
 
+void checkFlags(const PlanFlags& flags) {
+  (void)planesOf(flags, ImageGeometry());
+  (void)factsOf(flags, {});
+  for (const std::string& text : flags.islands) {
+    (void)islandOf(text);
+  }
+  for (const std::string& text : flags.measures) {
+    (void)measureOf(text);
+  }
+  if (!flags.margin.empty()) {
+    (void)numberOf("--margin", flags.margin);
+  }
+}
+
 std::vector<HalfSpace> planesOf(const PlanFlags& flags, const ImageGeometry& geometry) {
   std::vector<HalfSpace> planes;
   for (const std::string& text : flags.planes) {

@@ -45,6 +45,9 @@ struct PlanFlags {
 
 void addPlanFlags(CLI::App& command, PlanFlags& flags);
 
+/// Says what is wrong with the flags by themselves, before a file is opened.
+void checkFlags(const PlanFlags& flags);
+
 /// The planes asked for but for --propose-margin, in the order --plane, --points, --line, --slice; `flip` turns them around.
 std::vector<HalfSpace> planesOf(const PlanFlags& flags, const ImageGeometry& geometry);
 /// x,y,z,resected or x,y,z,remnant

@@ -1,6 +1,7 @@
 #include "app/gui/document.h"
 
 #include "app/gui/edit_commands.h"
+#include "planning/resection/plan_edit.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
