@@ -9,6 +9,7 @@
 #include "planning/territories/perfusion.h"
 #include "planning/territories/territories.h"
 #include "reconstruction/io/read.h"
+#include "tests/support/paths.h"
 
 namespace glisson {
 namespace {
@@ -18,7 +19,7 @@ class RealTerritories : public ::testing::Test {
  protected:
   void SetUp() override {
     const char* root = std::getenv("GLISSON_TEST_DATA");
-    const fs::path data = root != nullptr ? fs::path(root) : fs::path(GLISSON_SOURCE_DIR) / "../shared/data";
+    const fs::path data = root != nullptr ? fs::path(root) : fs::path(test::sourceFolder()) / "../shared/data";
     const fs::path zip = data / "ircadb01" / "MASKS_DICOM.zip";
     if (!fs::exists(zip)) {
       GTEST_SKIP() << "skipped: no real data";
