@@ -25,7 +25,7 @@ Ended glisson(const QStringList& arguments) {
   environment.insert("XDG_DATA_HOME", home.path() + "/data");
   QProcess process;
   process.setProcessEnvironment(environment);
-  process.start(QString::fromStdString(test::programFolder() + "/glisson"), arguments);
+  process.start(QString::fromStdString(glisson::test::programFolder() + "/glisson"), arguments);
   if (!process.waitForFinished(180000)) {
     process.kill();
     process.waitForFinished();

@@ -53,7 +53,7 @@ std::set<QString> placeholders(const QString& text) {
   return found;
 }
 
-const QString kGerman = QString::fromStdString(test::sourceFolder() + "/translations/glisson_de.ts");
+const QString kGerman = QString::fromStdString(glisson::test::sourceFolder() + "/translations/glisson_de.ts");
 
 TEST(TranslationTest, EveryTextIsFinishedAndKeepsItsPlaceholders) {
   const std::vector<Message> messages = messagesOf(kGerman);
@@ -70,7 +70,7 @@ TEST(TranslationTest, EveryTextOfTheSourcesIsInTheFile) {
   const QString copy = folder.filePath("glisson_de.ts");
   ASSERT_TRUE(QFile::copy(kGerman, copy));
   QProcess lupdate;
-  lupdate.setWorkingDirectory(QString::fromStdString(test::sourceFolder()));
+  lupdate.setWorkingDirectory(QString::fromStdString(glisson::test::sourceFolder()));
   lupdate.start(GLISSON_LUPDATE, {"-silent", "-I", ".", "-no-obsolete", "-locations", "none", "-source-language", "en",
                                   "-target-language", "de", "app", "viewer", "-ts", copy});
   ASSERT_TRUE(lupdate.waitForFinished(120000));
