@@ -1940,6 +1940,10 @@
         <translation>Territorien</translation>
     </message>
     <message>
+        <source>segment %1</source>
+        <translation>Segment %1</translation>
+    </message>
+    <message>
         <source>%1: the mask does not lie on the grid of the liver; read the segmentation again.</source>
         <translation>%1: Die Maske liegt nicht auf dem Gitter der Leber; lesen Sie die Segmentierung neu ein.</translation>
     </message>

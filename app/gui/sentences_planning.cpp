@@ -204,6 +204,7 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "Hepatic veins")},
     {"", QT_TRANSLATE_NOOP("Sentence", "hepatic veins")},
     {"", QT_TRANSLATE_NOOP("Sentence", "territories")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "segment %1")},
     {"s", QT_TRANSLATE_NOOP("Sentence", "%1: the mask does not lie on the grid of the liver; read the segmentation again.")},
     {"sn", QT_TRANSLATE_NOOP("Sentence", "%1: separate pieces taken for continuations of the branch nearest to them: %2")},
     {"sn", QT_TRANSLATE_NOOP("Sentence", "%1: separate pieces that own nothing because what they hang on is not known: %2")},
