@@ -160,10 +160,12 @@ std::optional<Comparison> compared(const PlanFlags& flags, Work& work, const Pla
     indices.push_back(planIndex(work.source.plans, name, "--compare", flags.caseFile));
   }
   std::vector<PlanAssessment> assessments;
+  assessments.reserve(indices.size());
   for (const std::size_t index : indices) {
     assessments.push_back(assessor.assess(work.source.plans[index]));
   }
   std::vector<AssessedPlan> plans;
+  plans.reserve(indices.size());
   for (std::size_t n = 0; n < indices.size(); ++n) {
     plans.push_back({work.source.plans[indices[n]], assessments[n]});
   }

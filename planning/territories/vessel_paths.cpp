@@ -181,7 +181,8 @@ class PathFinder {
     parent_[at(from)] = -1;
     open.emplace(0.0, from);
     while (!open.empty()) {
-      const auto [way, n] = open.top();
+      const double way = open.top().first;
+      const std::int32_t n = open.top().second;  // not a structured binding: captured below
       open.pop();
       if (way > way_[at(n)]) {
         continue;

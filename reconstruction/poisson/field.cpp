@@ -13,7 +13,7 @@ constexpr std::size_t kLine = 64;
 }  // namespace
 
 void* allocateField(std::size_t bytes) {
-  const std::size_t alignment = bytes >= 2 * kLargePage ? kLargePage : kLine;
+  const std::size_t alignment = bytes >= kLargePage / 2 ? kLargePage : kLine;
   const std::size_t rounded = (bytes + alignment - 1) / alignment * alignment;
   void* memory = std::aligned_alloc(alignment, rounded);
   if (memory == nullptr) {

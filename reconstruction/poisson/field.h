@@ -1,6 +1,6 @@
 #pragma once
-// Purpose: the values of a grid's nodes as one long array of floats. New elements are left as they are, so that the threads that
-// fill a field touch its memory first; long arrays ask the system for large pages, which spares thousands of page faults a level.
+// Purpose: long arrays of numbers, such as the values of a grid's nodes. New elements are left as they are, so that the threads
+// that fill an array touch its memory first; long ones ask the system for large pages, which spares thousands of page faults.
 
 #include <cstddef>
 #include <new>
@@ -32,7 +32,11 @@ struct FieldAllocator {
   bool operator==(const FieldAllocator&) const = default;
 };
 
+/// LargeArray<T>(n) of numbers is not initialised.
+template <typename T>
+using LargeArray = std::vector<T, FieldAllocator<T>>;
+
 /// Field(n) is not initialised; Field(n, 0.0F) is zero.
-using Field = std::vector<float, FieldAllocator<float>>;
+using Field = LargeArray<float>;
 
 }  // namespace glisson::poisson

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <memory>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/parallel.h"
@@ -21,17 +20,17 @@ class PaddedMask {
       size_[a] = mask.box().size[a] + 2 * kPad;
       first_[a] = mask.box().first[a] - kPad;
     }
-    values_ = std::make_unique_for_overwrite<std::uint8_t[]>(IndexBox{first_, size_}.voxelCount());
+    values_.resize(IndexBox{first_, size_}.voxelCount());
     const auto source = mask.values();
     const Index3& inner = mask.box().size;
     const auto row = static_cast<std::size_t>(inner[0]);
     parallelFor(static_cast<std::size_t>(size_[2]), 4, [&](std::size_t begin, std::size_t end) {
       for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
-        std::fill(values_.get() + offset(0, 0, k), values_.get() + offset(0, 0, k + 1), std::uint8_t{0});
+        std::fill(values_.data() + offset(0, 0, k), values_.data() + offset(0, 0, k + 1), std::uint8_t{0});
         for (int j = 0; j < inner[1] && k >= kPad && k < inner[2] + kPad; ++j) {
           const std::size_t from =
               row * (static_cast<std::size_t>(j) + static_cast<std::size_t>(inner[1]) * static_cast<std::size_t>(k - kPad));
-          std::copy_n(source.data() + from, row, values_.get() + offset(kPad, j + kPad, k));
+          std::copy_n(source.data() + from, row, values_.data() + offset(kPad, j + kPad, k));
         }
       }
     });
@@ -43,7 +42,7 @@ class PaddedMask {
            static_cast<std::size_t>(size_[0]) *
                (static_cast<std::size_t>(j) + static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(k));
   }
-  [[nodiscard]] const std::uint8_t* data() const { return values_.get(); }
+  [[nodiscard]] const std::uint8_t* data() const { return values_.data(); }
   [[nodiscard]] const Index3& size() const { return size_; }
   [[nodiscard]] const Index3& first() const { return first_; }
 
@@ -54,8 +53,8 @@ class PaddedMask {
     for (std::size_t a = 0; a < 3; ++a) {
       const std::ptrdiff_t b = step[(a + 1) % 3];
       const std::ptrdiff_t c = step[(a + 2) % 3];
-      const std::uint8_t* low = values_.get() + at - step[a];
-      const std::uint8_t* high = values_.get() + at + step[a];
+      const std::uint8_t* low = values_.data() + at - step[a];
+      const std::uint8_t* high = values_.data() + at + step[a];
       gradient[a] = smooth(low, b, c) - smooth(high, b, c);
     }
     return gradient;
@@ -72,7 +71,7 @@ class PaddedMask {
 
   Index3 size_{};
   Index3 first_{};
-  std::unique_ptr<std::uint8_t[]> values_;
+  poisson::LargeArray<std::uint8_t> values_;
 };
 
 Vec3 toWorldDirection(const std::array<int, 3>& gradient, const ImageGeometry& geometry) {

@@ -6,6 +6,7 @@
 
 #include "reconstruction/execution_context.h"
 #include "reconstruction/image/mask.h"
+#include "reconstruction/poisson/field.h"
 
 namespace glisson {
 
@@ -15,10 +16,10 @@ enum class Sampling : std::uint8_t {
 };
 
 struct OrientedPoints {
-  std::vector<Vec3> positions;
-  std::vector<Vec3> normals;
-  std::vector<double> weights;     ///< mm^2 (Paper: 1 each)
-  std::vector<std::uint8_t> axes;  ///< Unbiased: the image axis across each face; Paper: empty
+  poisson::LargeArray<Vec3> positions;
+  poisson::LargeArray<Vec3> normals;
+  poisson::LargeArray<double> weights;     ///< mm^2 (Paper: 1 each)
+  poisson::LargeArray<std::uint8_t> axes;  ///< Unbiased: the image axis across each face; Paper: empty
 };
 
 /// The mask is padded by one voxel of background. Throws ReconstructionError on an empty mask and where Paper finds no voxel with a

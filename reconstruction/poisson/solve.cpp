@@ -98,7 +98,7 @@ class Operator {
   }
 
  private:
-  void addScreening(const std::vector<float>& values, Field& out, const ExecutionContext& context) const {
+  void addScreening(std::span<const float> values, Field& out, const ExecutionContext& context) const {
     splat(samples_, values, level_.grid, screening_, out, context);
     for (std::size_t slot = 0; slot < level_.grid.blockCount(); ++slot) {
       level_.grid.clearFixedNodes(slot, out.data() + slot * kBlockNodes);

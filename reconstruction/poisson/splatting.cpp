@@ -153,8 +153,8 @@ std::vector<std::size_t> CubeSamples::blockRanges(int level) const {
 
 CubeSamples toCube(const OrientedPoints& points, const Vec3& corner, double cellMm, int depth, const ExecutionContext& context) {
   const std::size_t count = points.positions.size();
-  std::vector<std::array<float, 3>> positions(count);
-  std::vector<std::uint32_t> key(count);
+  LargeArray<std::array<float, 3>> positions(count);
+  LargeArray<std::uint32_t> key(count);
   const double perCell = 1.0 / cellMm;
   parallelFor(count, kSampleGrain, [&](std::size_t begin, std::size_t end) {
     context.throwIfCancelled();
@@ -169,7 +169,7 @@ CubeSamples toCube(const OrientedPoints& points, const Vec3& corner, double cell
     ++place[k];
   }
   std::exclusive_scan(place.begin(), place.end(), place.begin(), 0U);
-  std::vector<std::uint32_t> from(count);
+  LargeArray<std::uint32_t> from(count);
   for (std::size_t n = 0; n < count; ++n) {
     from[place[key[n]]++] = static_cast<std::uint32_t>(n);
   }

@@ -18,10 +18,10 @@ namespace glisson::poisson {
 /// range.
 struct CubeSamples {
   int depth = 0;
-  std::vector<std::array<float, 3>> positions;  ///< cells of level `depth`
-  std::vector<std::array<float, 3>> normals;
-  std::vector<float> weights;       ///< area, mm^2
-  std::vector<std::uint32_t> keys;  ///< Morton code of the block of level `depth`, ascending
+  LargeArray<std::array<float, 3>> positions;  ///< cells of level `depth`
+  LargeArray<std::array<float, 3>> normals;
+  LargeArray<float> weights;       ///< area, mm^2
+  LargeArray<std::uint32_t> keys;  ///< Morton code of the block of level `depth`, ascending
 
   /// First sample of each run of equal blocks on `level`, and the end.
   [[nodiscard]] std::vector<std::size_t> blockRanges(int level) const;
