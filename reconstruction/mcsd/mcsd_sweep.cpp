@@ -106,6 +106,7 @@ std::vector<Branch> Sweep::branches() const {
     branch.work += kStageWork + p.smoothing * (decimateFirst ? 1.0 - p.decimation : 1.0);
   }
   std::vector<Branch> branches;
+  branches.reserve(found.size());
   for (auto& [key, branch] : found) {
     branches.push_back(std::move(branch));
   }

@@ -224,7 +224,7 @@ OrientedPoints sampleBoundary(const Mask& mask, const ImageGeometry& geometry, S
       }
     }
   });
-  const OrientedPoints points = joined(slices);
+  OrientedPoints points = joined(slices);
   if (points.positions.empty()) {  // voxels alone: the gradient at their centres is zero
     throw ReconstructionError("No voxel of the mask has a gradient, so paper sampling finds no surface; use unbiased sampling.");
   }
