@@ -91,7 +91,8 @@ void SidePieces::measure(std::size_t resections) {
       const RowRun& run = parts_[n].run;
       if (run.n > longest[number]) {
         longest[number] = run.n;
-        piece.point = spacing_.cwiseProduct(Vec3(run.i + (run.n - 1) / 2, run.j, run.k));
+        const int middle = run.i + (run.n - 1) / 2;  // a voxel's centre
+        piece.point = spacing_.cwiseProduct(Vec3(middle, run.j, run.k));
       }
     }
   }
