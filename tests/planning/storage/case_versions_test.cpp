@@ -45,7 +45,7 @@ std::int64_t versionOf(const fs::path& path) {
 
 /// A file as version 1 wrote it: without the patient.
 fs::path versionOne(const fs::path& folder) {
-  const fs::path file = folder / "old.glisson";
+  fs::path file = folder / "old.glisson";
   Case made = ballCase();
   made.plans = {planAt(10)};
   { CaseFile::create(file, made); }
