@@ -1,7 +1,7 @@
 // Several surfaces of one call: depths of psr, smoothings and decimations of mcsd, and the depth that the samples carry.
 
+#include <cctype>
 #include <random>
-#include <regex>
 
 #include "tests/app/cli/cli_fixture.h"
 
@@ -15,6 +15,17 @@ std::vector<std::string> mcsd(const std::string& segmentation, const std::vector
   std::vector<std::string> arguments{"reconstruct", segmentation, "--method", "mcsd"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
+}
+
+/// "name: 12 things"
+bool isCounted(const std::string& defect) {
+  const std::size_t number = defect.find_first_not_of("abcdefghijklmnopqrstuvwxyz-");
+  if (number == 0 || number == std::string::npos || defect.compare(number, 2, ": ") != 0) {
+    return false;
+  }
+  const std::size_t unit = defect.find(' ', number + 2);
+  return unit != std::string::npos && std::atoi(defect.c_str() + number + 2) > 0 &&
+         std::islower(static_cast<unsigned char>(defect[unit + 1])) != 0;
 }
 
 /// A MetaImage of 10 x 10 x 10 voxels of noise, which is no anatomy: decimation breaks its surface.
@@ -83,7 +94,7 @@ TEST(CliSweep, TheReportNamesWhatDecimationBrokeAndHowOften) {
     const Json defects = Json::parse(bytesOf(folder / (std::string(name) + ".json")))["defects"];
     ASSERT_FALSE(defects.empty()) << name;
     for (const std::string defect : defects) {
-      EXPECT_TRUE(std::regex_search(defect, std::regex("^[a-z-]+: [1-9][0-9]* [a-z]"))) << defect;
+      EXPECT_TRUE(isCounted(defect)) << defect;
     }
     EXPECT_NE(finished.err.find(std::string(name) + ".ply was written, but its surface has defects"), std::string::npos);
   }
