@@ -2,24 +2,18 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 
 #include "planning/case/case.h"
 #include "planning/exchange/mesh_files.h"
 #include "planning/storage/case_file.h"
 #include "tests/app/cli/cli_fixture.h"
-#include "tests/support/paths.h"
+#include "tests/support/real_data.h"
 
 namespace glisson::test {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::filesystem::path data(const std::string& name) {
-  const char* root = std::getenv("GLISSON_TEST_DATA");
-  return (root != nullptr ? std::filesystem::path(root) : std::filesystem::path(sourceFolder()) / "../shared/data") / name;
-}
 
 #define REQUIRE_DATA(path)                   \
   if (!std::filesystem::exists(path)) {      \
@@ -85,13 +79,13 @@ void expectInPlace(const Case& source) {
 class Ircadb : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    if (!std::filesystem::exists(data("ircadb01/MASKS_DICOM.zip"))) {
+    if (!std::filesystem::exists(realPatient("ircadb01/MASKS_DICOM.zip"))) {
       return;
     }
     folder_ = std::make_unique<TemporaryFolder>();
     for (const char* archive : {"PATIENT_DICOM.tar.xz", "MASKS_DICOM.zip"}) {
       const std::string command = std::string("cd '") + folder_->path().string() + "' && '" + GLISSON_CMAKE + "' -E tar xf '" +
-                                  std::filesystem::absolute(data(std::string("ircadb01/") + archive)).string() + "'";
+                                  std::filesystem::absolute(realPatient("ircadb01") / archive).string() + "'";
       ASSERT_EQ(std::system(command.c_str()), 0) << command;  // NOLINT(concurrency-mt-unsafe)
     }
     made_ = cli({"model", masks(), "--ct", *folder_ / "PATIENT_DICOM", "-o", *folder_ / "case.glisson"});
@@ -182,7 +176,7 @@ TEST_F(Ircadb, PackageOfAPlanIsExportedAndSound) {
 }
 
 TEST(TotalSegmentator, NamesInTheFileMeanTheSameAsTheTableOfLabels) {
-  const auto labels = data("totalsegmentator/example_seg_fast_force_split.nii.gz");
+  const auto labels = realPatient("totalsegmentator/example_seg_fast_force_split.nii.gz");
   REQUIRE_DATA(labels)
   const Finished named = cli({"info", labels.string(), "--json"});
   const Finished numbered = cli({"info", labels.string(), "--labels", "totalsegmentator", "--json"});
@@ -202,11 +196,11 @@ TEST(TotalSegmentator, NamesInTheFileMeanTheSameAsTheTableOfLabels) {
 }
 
 TEST(TotalSegmentator, LiverCutByTheTopFaceGivesAClosedModelInPlace) {
-  const auto labels = data("totalsegmentator/example_seg_fast_force_split.nii.gz");
+  const auto labels = realPatient("totalsegmentator/example_seg_fast_force_split.nii.gz");
   REQUIRE_DATA(labels)
   const TemporaryFolder out;
-  const Finished made = cli({"model", labels.string(), "--ct", data("totalsegmentator/example_ct.nii.gz").string(), "--labels",
-                             "totalsegmentator", "-o", out / "case.glisson"});
+  const Finished made = cli({"model", labels.string(), "--ct", realPatient("totalsegmentator/example_ct.nii.gz").string(),
+                             "--labels", "totalsegmentator", "-o", out / "case.glisson"});
   ASSERT_EQ(made.exitCode, 0) << made.err;
   const Case patient = CaseFile::open(out / "case.glisson").load();
   const Structure* parenchyma = patient.model->find("parenchyma");
@@ -222,9 +216,9 @@ TEST(TotalSegmentator, LiverCutByTheTopFaceGivesAClosedModelInPlace) {
 }
 
 TEST(TotalSegmentator, Jpeg2000SlicesAndTheirLabelsShareOneGrid) {
-  const auto ct = data("totalsegmentator/example_ct_dicom");
+  const auto ct = realPatient("totalsegmentator/example_ct_dicom");
   REQUIRE_DATA(ct)
-  const Finished finished = cli({"info", ct.string(), data("totalsegmentator/example_seg_dicom.nii.gz").string(), "--json"});
+  const Finished finished = cli({"info", ct.string(), realPatient("totalsegmentator/example_seg_dicom.nii.gz").string(), "--json"});
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
   const Json json = Json::parse(finished.out);
   EXPECT_EQ(json[0]["holds"], "ct");
@@ -235,7 +229,7 @@ TEST(TotalSegmentator, Jpeg2000SlicesAndTheirLabelsShareOneGrid) {
 }
 
 TEST(Dcmqi, NrrdLabelHoldsItsVoxels) {
-  const auto labels = data("dcmqi/liver_seg.nrrd");
+  const auto labels = realPatient("dcmqi/liver_seg.nrrd");
   REQUIRE_DATA(labels)
   const Finished finished = cli({"info", labels.string(), "--json"});
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
@@ -245,13 +239,13 @@ TEST(Dcmqi, NrrdLabelHoldsItsVoxels) {
 }
 
 TEST(Dcmqi, LabelsWithoutAMeaningAreRefusedWithTheFlagToUse) {
-  const auto labels = data("dcmqi/liver_spine_gapped_seg.nrrd");
+  const auto labels = realPatient("dcmqi/liver_spine_gapped_seg.nrrd");
   REQUIRE_DATA(labels)
   const TemporaryFolder out;
   expectRefusal(cli({"model", labels.string(), "-o", out / "case.glisson"}), 3, "--labels");
   EXPECT_TRUE(namesIn(out.path()).empty());
-  const Finished told = cli({"model", labels.string(), "--ct", data("dcmqi/ct-3slice").string(), "--labels", "1=liver,5=other",
-                             "-o", out / "case.glisson"});
+  const Finished told = cli({"model", labels.string(), "--ct", realPatient("dcmqi/ct-3slice").string(), "--labels",
+                             "1=liver,5=other", "-o", out / "case.glisson"});
   EXPECT_EQ(told.exitCode, 0) << told.err;
 }
 
@@ -264,7 +258,7 @@ struct Fault {
 class DicomFault : public testing::TestWithParam<Fault> {};
 
 TEST_P(DicomFault, IsRefusedWithItsReasonOrCorrectedWithConsent) {
-  const auto folder = data(std::string("dicom-faults/") + GetParam().folder);
+  const auto folder = realPatient("dicom-faults") / GetParam().folder;
   REQUIRE_DATA(folder)
   expectRefusal(cli({"info", folder.string()}), 3, GetParam().reason);
   const std::string consent = GetParam().consent;

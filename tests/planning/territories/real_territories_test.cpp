@@ -1,42 +1,27 @@
 // 3D-IRCADb-01 case 1, where it is there: four fifths of its portal label lie outside the liver, and its veins hold the cava.
 
 #include <gtest/gtest.h>
-#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
 
 #include <chrono>
-#include <cstdlib>
 
 #include "planning/territories/perfusion.h"
 #include "planning/territories/territories.h"
 #include "reconstruction/io/read.h"
-#include "tests/support/paths.h"
+#include "tests/support/real_data.h"
 
 namespace glisson {
 namespace {
-namespace fs = std::filesystem;
 
 class RealTerritories : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* root = std::getenv("GLISSON_TEST_DATA");
-    const fs::path data = root != nullptr ? fs::path(root) : fs::path(test::sourceFolder()) / "../shared/data";
-    const fs::path zip = data / "ircadb01" / "MASKS_DICOM.zip";
-    if (!fs::exists(zip)) {
+    folder_ = test::unpackedIrcadb01Masks();
+    if (folder_ == nullptr) {
       GTEST_SKIP() << "skipped: no real data";
     }
-    std::string pattern = (fs::temp_directory_path() / "glisson-territories-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    const std::string unpack = "cd '" + pattern + "' && unzip -q '" + zip.string() + "'";
-    ASSERT_EQ(std::system(unpack.c_str()), 0) << "unzip is missing";
-    source_ = std::make_unique<Case>(newCase(nullptr, std::make_shared<Segmentation>(readSegmentation(folder_ / "MASKS_DICOM"))));
+    source_ = std::make_unique<Case>(newCase(nullptr, std::make_shared<Segmentation>(readSegmentation(*folder_ / "MASKS_DICOM"))));
   }
-  void TearDown() override {
-    if (!folder_.empty()) {
-      fs::remove_all(folder_);
-    }
-  }
-  fs::path folder_;
+  std::unique_ptr<test::TemporaryFolder> folder_;
   std::unique_ptr<Case> source_;
 };
 

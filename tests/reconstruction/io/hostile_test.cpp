@@ -13,6 +13,7 @@
 #include "reconstruction/io/child_process.h"
 #include "reconstruction/io/read.h"
 #include "tests/reconstruction/io/fixtures.h"
+#include "tests/support/real_data.h"
 
 namespace glisson {
 namespace {
@@ -26,11 +27,14 @@ void expectOneSentence(const std::string& message, const std::string& file) {
   EXPECT_TRUE(message.ends_with(".")) << message;
 }
 
-/// Cuts the file at about `cuts` places; every cut must be refused in one sentence that names it.
-void sweep(const std::filesystem::path& path, const Bytes& whole, int cuts) {
+/// How many broken forms of a file are tried: more in long runs.
+std::size_t tries() { return test::longRuns() ? 120 : 24; }
+
+/// Cuts the file in tries() places; every cut must be refused in one sentence that names it.
+void sweep(const std::filesystem::path& path, const Bytes& whole) {
   int silent = 0;
-  for (int n = 0; n < cuts; ++n) {
-    const std::size_t size = whole.size() * static_cast<std::size_t>(n) / static_cast<std::size_t>(cuts);
+  for (std::size_t n = 0; n < tries(); ++n) {
+    const std::size_t size = whole.size() * n / tries();
     writeFile(path, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
     const std::string message = refusal([&] { return readSegmentation(path); });
     silent += message.empty() ? 1 : 0;
@@ -49,12 +53,12 @@ TEST(HostileInput, H9NoTruncationOfAnImageFileIsAcceptedSilently) {
   const TemporaryFolder folder;
   const ImageGeometry geometry = permutedGrid(19, 27);
   const std::vector<std::uint8_t> body = asymmetricBody(geometry);
-  sweep(folder / "a.nii", nifti(geometry, body), 60);
-  sweep(folder / "a.nii.gz", gzip(nifti(geometry, body)), 60);
-  sweep(folder / "a.nrrd", nrrd(geometry, body, "uchar", kLps, false), 60);
-  sweep(folder / "b.nrrd", nrrd(geometry, body, "uchar", kLps, true), 60);
-  sweep(folder / "a.mha", metaImage(geometry, body, "MET_UCHAR", false), 60);
-  sweep(folder / "b.mha", metaImage(geometry, body, "MET_UCHAR", true), 60);
+  sweep(folder / "a.nii", nifti(geometry, body));
+  sweep(folder / "a.nii.gz", gzip(nifti(geometry, body)));
+  sweep(folder / "a.nrrd", nrrd(geometry, body, "uchar", kLps, false));
+  sweep(folder / "b.nrrd", nrrd(geometry, body, "uchar", kLps, true));
+  sweep(folder / "a.mha", metaImage(geometry, body, "MET_UCHAR", false));
+  sweep(folder / "b.mha", metaImage(geometry, body, "MET_UCHAR", true));
 }
 
 TEST(HostileInput, H9NoTruncationOfADicomSliceIsAcceptedSilently) {
@@ -63,8 +67,8 @@ TEST(HostileInput, H9NoTruncationOfADicomSliceIsAcceptedSilently) {
   for (const char* name : {"slice_99", "slice_97"}) {
     const Bytes whole = readFile(folder / name);
     int silent = 0;
-    for (std::size_t n = 0; n < 60; ++n) {
-      writeFile(folder / name, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() * n / 60)));
+    for (std::size_t n = 0; n < tries(); ++n) {
+      writeFile(folder / name, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() * n / tries())));
       silent += refusal([&] { return readCt(folder.path()); }).empty() ? 1 : 0;
     }
     writeFile(folder / name, Bytes(whole.begin(), whole.end() - 1));
@@ -97,7 +101,7 @@ TEST(HostileInput, H9RandomBytesInHeadersCostOneSentenceAtMost) {
                              {"a.nrrd", nrrd(geometry, body, "uchar", kLps, false)},
                              {"a.mha", metaImage(geometry, body, "MET_UCHAR", false)}}) {
     const std::string& name = format.first;
-    for (int n = 0; n < 60; ++n) {
+    for (std::size_t n = 0; n < tries(); ++n) {
       Bytes broken = format.second;
       for (int change = 0; change < 3; ++change) {
         broken[random() % 352] = static_cast<std::uint8_t>(random());

@@ -1,5 +1,7 @@
 // Real files as their sources ship them (found through GLISSON_TEST_DATA); skipped by name where they are not there.
 
+#include "tests/support/real_data.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,18 +12,12 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/io/read.h"
 #include "tests/reconstruction/io/fixtures.h"
-#include "tests/support/paths.h"
 
 namespace glisson {
 namespace {
 
 using namespace fixtures;
 namespace fs = std::filesystem;
-
-fs::path dataFolder() {
-  const char* named = std::getenv("GLISSON_TEST_DATA");
-  return named != nullptr ? fs::path(named) : fs::path(test::sourceFolder()) / "../shared/data";
-}
 
 #define REQUIRE_REAL_DATA(path)              \
   if (!fs::exists(path)) {                   \
@@ -30,7 +26,7 @@ fs::path dataFolder() {
   static_assert(true)
 
 TEST(RealData, Ircadb01IsReadAsItIsWithItsPublishedVolumes) {
-  const fs::path data = dataFolder() / "ircadb01";
+  const fs::path data = test::realPatient("ircadb01");
   REQUIRE_REAL_DATA(data);
   const TemporaryFolder folder;
   const std::string unpack = "tar -xJf '" + (data / "PATIENT_DICOM.tar.xz").string() + "' -C '" + folder.path().string() +
@@ -73,7 +69,7 @@ TEST(RealData, Ircadb01IsReadAsItIsWithItsPublishedVolumes) {
 }
 
 TEST(RealData, TotalSegmentatorsCtAndLabelsMatchAndNameThemselves) {
-  const fs::path data = dataFolder() / "totalsegmentator";
+  const fs::path data = test::realPatient("totalsegmentator");
   REQUIRE_REAL_DATA(data);
   const CtVolume ct = readCt(data / "example_ct.nii.gz");
   const Segmentation labels = matchToCt(readSegmentation(data / "example_seg_fast_force_split.nii.gz"), ct);
@@ -92,7 +88,7 @@ TEST(RealData, TotalSegmentatorsCtAndLabelsMatchAndNameThemselves) {
 }
 
 TEST(RealData, TotalSegmentatorsJpeg2000SeriesIsReadAndItsMirroredLabelsLieOnIt) {
-  const fs::path data = dataFolder() / "totalsegmentator";
+  const fs::path data = test::realPatient("totalsegmentator");
   REQUIRE_REAL_DATA(data);
   const CtVolume ct = readCt(data / "example_ct_dicom");
   EXPECT_EQ(ct.geometry.size, (Index3{512, 512, 20}));
@@ -128,7 +124,7 @@ TEST(RealData, TotalSegmentatorsJpeg2000SeriesIsReadAndItsMirroredLabelsLieOnIt)
 }
 
 TEST(RealData, EachFolderOfDicomFaultsIsAnsweredWithItsReasonOrCorrectedWithConsent) {
-  const fs::path data = dataFolder() / "dicom-faults";
+  const fs::path data = test::realPatient("dicom-faults");
   REQUIRE_REAL_DATA(data);
   EXPECT_NE(refusalOfCt(data / "gantrytilting/001").find("14.0 degrees; accept resampling it to a regular grid with --accept tilt"),
             std::string::npos);
@@ -144,7 +140,7 @@ TEST(RealData, EachFolderOfDicomFaultsIsAnsweredWithItsReasonOrCorrectedWithCons
 }
 
 TEST(RealData, DcmqisCtAndNrrdLabelsLieOnOneGrid) {
-  const fs::path data = dataFolder() / "dcmqi";
+  const fs::path data = test::realPatient("dcmqi");
   REQUIRE_REAL_DATA(data);
   const CtVolume ct = readCt(data / "ct-3slice");
   const Segmentation liver = matchToCt(readSegmentation(data / "liver_seg.nrrd"), ct);

@@ -5,13 +5,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdlib>
 #include <numbers>
 #include <random>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/mesh/mask_pieces.h"
 #include "reconstruction/reconstruct.h"
+#include "tests/support/real_data.h"
 #include "tests/support/trials.h"
 
 namespace glisson {
@@ -120,7 +120,7 @@ class RandomLabelMaps : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Parts, RandomLabelMaps, testing::Range(0, kParts));
 
 TEST_P(RandomLabelMaps, GiveSoundMeshesThatNameWhatTheyLack) {
-  const bool everyDepth = std::getenv("GLISSON_LONG_TESTS") != nullptr;  // NOLINT(concurrency-mt-unsafe): nobody sets it here
+  const bool everyDepth = test::longRuns();
   for (int map = GetParam(); map < kMaps; map += kParts) {
     Chance chance(20160000U + static_cast<unsigned>(map));
     const ImageGeometry geometry = randomGrid(chance);
