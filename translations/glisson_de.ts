@@ -2064,6 +2064,10 @@
         <translation>Die Ebene lässt sich setzen, sobald die Volumina der Leber berechnet sind.</translation>
     </message>
     <message>
+        <source>The plane around %1 keeps at least %2 mm, takes %3 mL of functional liver and crosses %4 vessels of 3 mm and more.</source>
+        <translation>Die Ebene um %1 hält mindestens %2 mm Abstand, nimmt %3 mL funktionelle Leber und kreuzt %4 Gefäße ab 3 mm.</translation>
+    </message>
+    <message>
         <source>Open a case first.</source>
         <translation>Öffnen Sie zuerst einen Fall.</translation>
     </message>
@@ -2576,12 +2580,24 @@
         <translation>Ebene setzen</translation>
     </message>
     <message>
-        <source>move plane</source>
-        <translation>Ebene bewegen</translation>
+        <source>new plan</source>
+        <translation>neuer Plan</translation>
     </message>
     <message>
-        <source>remove plane</source>
-        <translation>Ebene entfernen</translation>
+        <source>duplicate plan</source>
+        <translation>Plan duplizieren</translation>
+    </message>
+    <message>
+        <source>rename plan</source>
+        <translation>Plan umbenennen</translation>
+    </message>
+    <message>
+        <source>delete plan</source>
+        <translation>Plan löschen</translation>
+    </message>
+    <message>
+        <source>change patient facts</source>
+        <translation>Angaben zum Patienten ändern</translation>
     </message>
     <message>
         <source>change colour</source>
@@ -2673,6 +2689,113 @@
     <message>
         <source>exported</source>
         <translation>exportiert</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::FlrCardBox</name>
+    <message>
+        <source>of the functional liver</source>
+        <translation>der funktionellen Leber</translation>
+    </message>
+    <message>
+        <source>of SLV (Urata)</source>
+        <translation>des SLV (Urata)</translation>
+    </message>
+    <message>
+        <source>of SLV (Vauthey)</source>
+        <translation>des SLV (Vauthey)</translation>
+    </message>
+    <message>
+        <source>per body surface</source>
+        <translation>je Körperoberfläche</translation>
+    </message>
+    <message>
+        <source>of the body weight</source>
+        <translation>des Körpergewichts</translation>
+    </message>
+    <message>
+        <source>FLR card</source>
+        <translation>FLR-Karte</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>over 3 months of chemotherapy</source>
+        <translation>über 3 Monate Chemotherapie</translation>
+    </message>
+    <message>
+        <source>injured</source>
+        <translation>geschädigt</translation>
+    </message>
+    <message>
+        <source>colorectal metastases</source>
+        <translation>kolorektale Metastasen</translation>
+    </message>
+    <message>
+        <source>hepatocellular carcinoma</source>
+        <translation>hepatozelluläres Karzinom</translation>
+    </message>
+    <message>
+        <source>Open a case first.</source>
+        <translation>Öffnen Sie zuerst einen Fall.</translation>
+    </message>
+    <message>
+        <source>computing</source>
+        <translation>wird berechnet</translation>
+    </message>
+    <message>
+        <source>Body surface</source>
+        <translation>Körperoberfläche</translation>
+    </message>
+    <message>
+        <source>Mosteller</source>
+        <translation>Mosteller</translation>
+    </message>
+    <message>
+        <source>SLV</source>
+        <translation>SLV</translation>
+    </message>
+    <message>
+        <source>Urata</source>
+        <translation>Urata</translation>
+    </message>
+    <message>
+        <source>Vauthey</source>
+        <translation>Vauthey</translation>
+    </message>
+    <message>
+        <source>FLR %1</source>
+        <translation>FLR %1</translation>
+    </message>
+    <message>
+        <source>Margin %1: %2 (%3)</source>
+        <translation>Abstand %1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Published numbers for information, not advice.</source>
+        <translation>Veröffentlichte Zahlen zur Information, keine Empfehlung.</translation>
     </message>
 </context>
 <context>
@@ -2896,6 +3019,10 @@
         <translation>&amp;Über Glisson</translation>
     </message>
     <message>
+        <source>Place plane &amp;otherwise</source>
+        <translation>Ebene anders &amp;setzen</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -3053,6 +3180,124 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     </message>
 </context>
 <context>
+    <name>glisson::PlaceMenu</name>
+    <message>
+        <source>Through a clicked point, as seen</source>
+        <translation>Durch einen angeklickten Punkt, in Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Through three clicked points</source>
+        <translation>Durch drei angeklickte Punkte</translation>
+    </message>
+    <message>
+        <source>Along a line drawn across the view</source>
+        <translation>Entlang einer in der Ansicht gezogenen Linie</translation>
+    </message>
+    <message>
+        <source>Axial, through the crosshair</source>
+        <translation>Axial, durch das Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Coronal, through the crosshair</source>
+        <translation>Koronal, durch das Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Sagittal, through the crosshair</source>
+        <translation>Sagittal, durch das Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Around a tumour, at the safety margin</source>
+        <translation>Um einen Tumor, im Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Open a case first.</source>
+        <translation>Öffnen Sie zuerst einen Fall.</translation>
+    </message>
+    <message>
+        <source>The case has no tumour.</source>
+        <translation>Der Fall hat keinen Tumor.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::PlanBar</name>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Safety margin</source>
+        <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Edit the list of plans</source>
+        <translation>Liste der Pläne bearbeiten</translation>
+    </message>
+    <message>
+        <source>Add planes</source>
+        <translation>Ebenen hinzufügen</translation>
+    </message>
+    <message>
+        <source>New plan</source>
+        <translation>Neuer Plan</translation>
+    </message>
+    <message>
+        <source>Duplicate plan</source>
+        <translation>Plan duplizieren</translation>
+    </message>
+    <message>
+        <source>Rename plan...</source>
+        <translation>Plan umbenennen...</translation>
+    </message>
+    <message>
+        <source>Delete plan</source>
+        <translation>Plan löschen</translation>
+    </message>
+    <message>
+        <source>Add a resection</source>
+        <translation>Resektion hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a plane to this resection</source>
+        <translation>Ebene zu dieser Resektion hinzufügen</translation>
+    </message>
+    <message>
+        <source>Open a case first.</source>
+        <translation>Öffnen Sie zuerst einen Fall.</translation>
+    </message>
+    <message>
+        <source>Margins below it are shown in red; planes around a tumour are proposed for it</source>
+        <translation>Kleinere Abstände erscheinen rot; Ebenen um einen Tumor werden für ihn vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>The plane that is shown with handles and moved</source>
+        <translation>Die Ebene, die mit Griffen gezeigt und bewegt wird</translation>
+    </message>
+    <message>
+        <source>Place a plane first.</source>
+        <translation>Setzen Sie zuerst eine Ebene.</translation>
+    </message>
+    <message>
+        <source>A case keeps at least one plan.</source>
+        <translation>Ein Fall behält mindestens einen Plan.</translation>
+    </message>
+    <message>
+        <source>%1, plane %2</source>
+        <translation>%1, Ebene %2</translation>
+    </message>
+    <message>
+        <source>Rename plan</source>
+        <translation>Plan umbenennen</translation>
+    </message>
+    <message>
+        <source>Name of the plan:</source>
+        <translation>Name des Plans:</translation>
+    </message>
+</context>
+<context>
     <name>glisson::PlanPanel</name>
     <message>
         <source>removed</source>
@@ -3129,10 +3374,6 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Liver %1, functional %2, uncertainty of the cut ±%3</source>
         <translation>Leber %1, funktionell %2, Unsicherheit des Schnitts ±%3</translation>
-    </message>
-    <message>
-        <source>This plan has %1 planes: the numbers count all of them, the views show and move the first one only.</source>
-        <translation>Dieser Plan hat %1 Ebenen: Die Zahlen zählen alle, die Ansichten zeigen und bewegen nur die erste.</translation>
     </message>
     <message>
         <source>MARGIN</source>
@@ -3222,6 +3463,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>Kippen</translation>
     </message>
     <message>
+        <source>Place the plane in another way</source>
+        <translation>Ebene anders setzen</translation>
+    </message>
+    <message>
         <source>Move towards the remnant</source>
         <translation>Zum Rest hin schieben</translation>
     </message>
@@ -3252,6 +3497,25 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Place a plane first.</source>
         <translation>Setzen Sie zuerst eine Ebene.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::PlanePlacer</name>
+    <message>
+        <source>Click a point of the model in the 3D view. Escape ends.</source>
+        <translation>Klicken Sie in der 3D-Ansicht einen Punkt des Modells an. Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Click three points of the model in the 3D view; it can be turned in between. Escape ends.</source>
+        <translation>Klicken Sie in der 3D-Ansicht drei Punkte des Modells an; es lässt sich dazwischen drehen. Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Draw a line across the liver in the 3D view: what lies to its right is resected. Escape ends.</source>
+        <translation>Ziehen Sie in der 3D-Ansicht eine Linie über die Leber: Was rechts davon liegt, wird reseziert. Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Plane around a tumour</source>
+        <translation>Ebene um einen Tumor</translation>
     </message>
 </context>
 <context>

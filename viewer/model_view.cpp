@@ -5,10 +5,12 @@
 #include <Eigen/Geometry>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <algorithm>
+#include <iterator>
 #include <numbers>
 
-#include "planning/resection/resection_plan.h"
 #include "viewer/model_view_impl.h"
+#include "viewer/surface_pick.h"
 
 namespace glisson {
 
@@ -26,6 +28,7 @@ ModelView::ModelView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
   Impl& d = *impl_;
   d.scene.renderer->SetBackground(0.11, 0.12, 0.14);
   d.makeCube();
+  d.pickOverlay = new PickOverlay(this);
   d.planeActors.setVisible(false);
   d.planeActors.setLabel(tr("resected").toStdString());
   d.scene.beforeFrame = [this](FrameQuality quality) { impl_->prepareFrame(quality); };
@@ -53,24 +56,60 @@ void ModelView::setModel(std::shared_ptr<const LiverModel> model, const std::vec
   requestRender();
 }
 
-void ModelView::setPlane(std::optional<HalfSpace> plane) {
+namespace {
+
+bool same(const HalfSpace& a, const HalfSpace& b) { return a.origin == b.origin && a.normal == b.normal; }
+
+bool same(const ResectionPlan& a, const ResectionPlan& b) {
+  return std::ranges::equal(a.resections, b.resections, [](const Resection& x, const Resection& y) {
+    return std::ranges::equal(x.planes, y.planes, [](const HalfSpace& p, const HalfSpace& q) { return same(p, q); });
+  });
+}
+
+std::vector<std::size_t> shapeOf(const ResectionPlan& plan) {
+  std::vector<std::size_t> shape;
+  std::ranges::transform(plan.resections, std::back_inserter(shape), [](const Resection& r) { return r.planes.size(); });
+  return shape;
+}
+
+}  // namespace
+
+void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
   Impl& d = *impl_;
-  const bool same = plane.has_value() == d.plane.has_value() &&
-                    (!plane || (plane->origin == d.plane->origin && plane->normal == d.plane->normal));
-  if (same) {
+  if (same(plan, d.plan) && choice == d.choice) {
     return;
   }
-  d.plane = std::move(plane);
+  const bool redraw = shapeOf(plan) != shapeOf(d.plan) || choice != d.choice;
+  d.plan = std::move(plan);
+  d.choice = choice;
+  d.plane.reset();
+  if (choice.resection < d.plan.resections.size() && choice.plane < d.plan.resections[choice.resection].planes.size()) {
+    d.plane = d.plan.resections[choice.resection].planes[choice.plane];
+  }
+  if (redraw) {
+    d.showPlan();
+  }
   if (!d.plane) {
     d.drag.reset();
     d.hovered.reset();
   }
   for (const auto& [id, actors] : d.structures) {
-    actors->setPlane(d.plane);
+    actors->setPlan(d.plan);
   }
   d.sectionStale = true;
   d.scene.touch();
   requestRender();
+}
+
+void ModelView::setPlane(const std::optional<HalfSpace>& plane) {
+  ResectionPlan plan;
+  if (plane && impl_->plane) {
+    plan = impl_->plan;
+    plan.resections[impl_->choice.resection].planes[impl_->choice.plane] = *plane;
+  } else if (plane) {
+    plan.resections.push_back({.name = {}, .planes = {*plane}});
+  }
+  setPlan(std::move(plan), plane && impl_->plane ? impl_->choice : PlaneChoice{});
 }
 
 std::optional<HalfSpace> ModelView::plane() const { return impl_->plane; }
@@ -139,8 +178,60 @@ QImage ModelView::picture() {
   return image;
 }
 
+void ModelView::startPick(PickKind kind) {
+  if (picking()) {
+    cancelPick();
+  }
+  impl_->pick.emplace(kind);
+  impl_->hovered.reset();
+  setCursor(Qt::CrossCursor);
+  setFocus();
+}
+
+void ModelView::cancelPick() {
+  if (picking()) {
+    endPick();
+    emit pickCancelled();
+  }
+}
+
+bool ModelView::picking() const { return impl_->pick.has_value(); }
+
+void ModelView::endPick() {
+  impl_->pick.reset();
+  impl_->pickOverlay->clear();
+  setCursor(Qt::ArrowCursor);
+}
+
+void ModelView::showPick() {
+  if (impl_->pick) {
+    impl_->pickOverlay->show(impl_->pick->shown(camera()), impl_->pick->takesDrag());
+  }
+}
+
+std::optional<Vec3> ModelView::surfaceAt(const Pixel& pixel) const {
+  const Ray ray = camera().rayAt(pixel);
+  std::optional<double> nearest;
+  for (const auto& [id, actors] : impl_->structures) {
+    const std::optional<double> hit = actors->visible() ? firstHit(actors->mesh(), ray) : std::nullopt;
+    if (hit && (!nearest || *hit < *nearest)) {
+      nearest = hit;
+    }
+  }
+  return nearest ? std::optional<Vec3>(ray.origin + *nearest * ray.direction) : std::nullopt;
+}
+
 void ModelView::mousePressEvent(QMouseEvent* event) {
   Impl& d = *impl_;
+  if (d.pick && event->button() == Qt::LeftButton) {
+    d.pick->press({event->position().x(), event->position().y()});
+    if (d.pick->takesDrag()) {
+      event->accept();
+    } else {
+      VtkWidget::mousePressEvent(event);
+    }
+    return;
+  }
   if (event->button() == Qt::LeftButton && d.plane && event->modifiers() == Qt::NoModifier) {
     const Pixel mouse(event->position().x(), event->position().y());
     const HandleLayout layout = *handles();
@@ -159,6 +250,14 @@ void ModelView::mousePressEvent(QMouseEvent* event) {
 void ModelView::mouseMoveEvent(QMouseEvent* event) {
   Impl& d = *impl_;
   const Pixel mouse(event->position().x(), event->position().y());
+  if (d.pick) {
+    d.pick->move(mouse);
+    if (!d.pick->takesDrag()) {
+      VtkWidget::mouseMoveEvent(event);
+    }
+    showPick();
+    return;
+  }
   if (d.drag) {
     const HalfSpace moved = d.drag->planeAt(mouse);
     setPlane(moved);
@@ -179,6 +278,19 @@ void ModelView::mouseMoveEvent(QMouseEvent* event) {
 
 void ModelView::mouseReleaseEvent(QMouseEvent* event) {
   Impl& d = *impl_;
+  if (d.pick && event->button() == Qt::LeftButton) {
+    if (!d.pick->takesDrag()) {
+      VtkWidget::mouseReleaseEvent(event);
+    }
+    const Pixel at(event->position().x(), event->position().y());
+    const std::optional<Pick> pick = d.pick->release(at, camera(), [this](const Pixel& pixel) { return surfaceAt(pixel); });
+    showPick();
+    if (pick) {
+      endPick();
+      emit picked(*pick);
+    }
+    return;
+  }
   if (!d.drag) {
     VtkWidget::mouseReleaseEvent(event);
     return;
@@ -191,7 +303,7 @@ void ModelView::mouseReleaseEvent(QMouseEvent* event) {
 
 void ModelView::mouseDoubleClickEvent(QMouseEvent* event) {
   const Pixel mouse(event->position().x(), event->position().y());
-  if (event->button() == Qt::LeftButton && !(impl_->plane && handleAt(*handles(), camera(), mouse))) {
+  if (event->button() == Qt::LeftButton && !picking() && !(impl_->plane && handleAt(*handles(), camera(), mouse))) {
     event->accept();
     emit maximiseRequested();
   }
@@ -272,6 +384,9 @@ bool ModelView::movePlaneByKey(const QKeyEvent& event) {
 
 void ModelView::keyPressEvent(QKeyEvent* event) {
   Impl& d = *impl_;
+  if (d.pick && event->key() == Qt::Key_Escape) {
+    return cancelPick();
+  }
   if (d.drag && event->key() == Qt::Key_Escape) {
     const HalfSpace start = d.drag->start();
     setPlane(start);

@@ -9,14 +9,22 @@
 #include <optional>
 
 #include "planning/case/liver_model.h"
-#include "reconstruction/mesh/cut.h"
+#include "planning/resection/resection_plan.h"
 #include "viewer/display_mesh.h"
+#include "viewer/pick_tool.h"
 #include "viewer/view_camera.h"
 #include "viewer/vtk_widget.h"
 
 namespace glisson {
 
 struct HandleLayout;
+
+/// Which plane of a plan has the handles, by its places in the lists.
+struct PlaneChoice {
+  std::size_t resection = 0;
+  std::size_t plane = 0;
+  bool operator==(const PlaneChoice&) const = default;
+};
 
 class ModelView : public VtkWidget {
   Q_OBJECT
@@ -28,9 +36,11 @@ class ModelView : public VtkWidget {
   /// The camera is placed (from anterior) when the first structure of a new patient appears, and makes room for the next ones
   /// until the user moves it. Surfaces that are not among `ready` are made ready here, which keeps the caller waiting.
   void setModel(std::shared_ptr<const LiverModel> model, const std::vector<std::shared_ptr<const DisplayMesh>>& ready = {});
-  /// The resection plane, drawn only inside the parenchyma's mesh, with grid, handles and two sides told apart (the resected side
-  /// is tinted and labelled); nothing hides it. Emits no signal.
-  void setPlane(std::optional<HalfSpace> plane);
+  /// The plan's planes, drawn only inside the parenchyma's mesh and where they bound their resection, the two sides told apart
+  /// (what is resected is tinted and labelled); the chosen plane has grid and handles, which nothing hides. Emits no signal.
+  void setPlan(ResectionPlan plan, const PlaneChoice& choice = {});
+  /// Moves the chosen plane; makes a plan of one plane where there is none; nothing: an empty plan.
+  void setPlane(const std::optional<HalfSpace>& plane);
   [[nodiscard]] std::optional<HalfSpace> plane() const;
 
   enum class StandardView { Anterior, Posterior, Left, Right, Superior, Inferior };
@@ -42,6 +52,12 @@ class ModelView : public VtkWidget {
   [[nodiscard]] ViewCamera camera() const;
   /// Where the plane's handles are now; nothing without a plane.
   [[nodiscard]] std::optional<HandleLayout> handles() const;
+  /// Begins to point: picked() or pickCancelled() (Escape, or another pick) ends it. The handles rest meanwhile.
+  void startPick(PickKind kind);
+  void cancelPick();
+  [[nodiscard]] bool picking() const;
+  /// The nearest point of a visible structure at a pixel.
+  [[nodiscard]] std::optional<Vec3> surfaceAt(const Pixel& pixel) const;
   /// What is seen, after all pending changes, with depth peeling. A null image where OpenGL is not available.
   [[nodiscard]] QImage picture();
 
@@ -50,6 +66,8 @@ class ModelView : public VtkWidget {
   void planeDragStarted();
   void planeDragged(const glisson::HalfSpace& plane);
   void planeDragFinished(const glisson::HalfSpace& plane);
+  void picked(const glisson::Pick& pick);
+  void pickCancelled();
   /// Double click: the layout maximises this view or restores.
   void maximiseRequested();
 
@@ -65,6 +83,8 @@ class ModelView : public VtkWidget {
 
  private:
   void stepPlane(const HalfSpace& to);
+  void showPick();
+  void endPick();
   [[nodiscard]] bool movePlaneByKey(const QKeyEvent& event);
 
   struct Impl;

@@ -75,7 +75,7 @@ bool ModelView::Impl::showStructures(const std::vector<std::shared_ptr<const Dis
       scene.budget.forget();
     }
     actors->setLook(structure.colour, structure.opacity, structure.visible);
-    actors->setPlane(plane);
+    actors->setPlan(plan);
     if (isParenchyma) {
       parenchyma = structure.id;
     }
@@ -85,20 +85,42 @@ bool ModelView::Impl::showStructures(const std::vector<std::shared_ptr<const Dis
   return !anyKept;
 }
 
-/// The section through the parenchyma; the coarse stand-in while the plane moves.
+void ModelView::Impl::showPlan() {
+  sections.clear();
+  for (std::size_t r = 0; r < plan.resections.size(); ++r) {
+    for (std::size_t p = 0; p < plan.resections[r].planes.size(); ++p) {
+      sections.push_back(
+          std::make_unique<SectionActors>(scene.renderer, scene.overlay, r == choice.resection && p == choice.plane));
+    }
+  }
+}
+
+/// The sections through the parenchyma; the coarse stand-in while the plane moves.
 void ModelView::Impl::updateSection(bool coarse) {
   if (!plane || !(sectionStale || (sectionIsCoarse && !coarse))) {
     return;
   }
   const auto found = structures.find(parenchyma);
   section.clear();
-  if (found != structures.end()) {
-    section = sectionLoops(coarse ? found->second->coarseMesh() : found->second->mesh(), *plane);
+  std::size_t drawn = 0;
+  for (std::size_t r = 0; r < plan.resections.size(); ++r) {
+    const std::vector<HalfSpace>& planes = plan.resections[r].planes;
+    for (std::size_t p = 0; p < planes.size(); ++p, ++drawn) {
+      std::vector<Loop> loops;
+      if (found != structures.end()) {
+        loops = sectionLoops(coarse ? found->second->coarseMesh() : found->second->mesh(), planes[p]);
+      }
+      std::vector<HalfSpace> within = planes;
+      within.erase(within.begin() + static_cast<std::ptrdiff_t>(p));
+      sections[drawn]->setSection(planes[p], loops, within);
+      if (r == choice.resection && p == choice.plane) {
+        section = std::move(loops);
+      }
+    }
   }
   sectionStale = false;
   sectionIsCoarse = coarse;
   anchor = drag ? drag->anchorFor(*plane) : anchorOf(*plane, section);
-  planeActors.setSection(*plane, section);
 }
 
 FramePlan ModelView::Impl::planFrame(FrameQuality quality) {

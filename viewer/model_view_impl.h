@@ -12,22 +12,27 @@
 #include <vector>
 
 #include "viewer/model_view.h"
+#include "viewer/pick_overlay.h"
 #include "viewer/plane_actors.h"
+#include "viewer/section_actors.h"
 #include "viewer/structure_actors.h"
 #include "viewer/vtk_scene.h"
 
 namespace glisson {
 
 struct ModelView::Impl {
-  explicit Impl(ModelView* owner) : view(owner), scene(owner->scene()), planeActors(scene.renderer, scene.overlay) {}
+  explicit Impl(ModelView* owner) : view(owner), scene(owner->scene()), planeActors(scene.overlay) {}
 
   ModelView* view;
   Scene& scene;
   std::shared_ptr<const LiverModel> model;
   std::map<std::string, std::unique_ptr<StructureActors>> structures;
   std::string parenchyma;  ///< id of the structure the plane cuts; empty where there is none yet
-  std::optional<HalfSpace> plane;
+  ResectionPlan plan;
+  PlaneChoice choice;
+  std::optional<HalfSpace> plane;  ///< the one worked on, with handles; it stands in `plan` too
   PlaneActors planeActors;
+  std::vector<std::unique_ptr<SectionActors>> sections;  ///< one for each plane of the plan, in its order
   vtkNew<vtkAnnotatedCubeActor> cube;
   vtkNew<vtkOrientationMarkerWidget> marker;
   std::vector<Loop> section;
@@ -36,6 +41,8 @@ struct ModelView::Impl {
   Vec3 anchor = Vec3::Zero();
   std::optional<PlaneDrag> drag;
   std::optional<PlaneHandle> hovered;
+  std::optional<PickTool> pick;
+  PickOverlay* pickOverlay = nullptr;  ///< a child of the view
   Vec3 placedDirection = Vec3::UnitY();
   Vec3 placedUp = Vec3::UnitZ();
 
@@ -43,6 +50,8 @@ struct ModelView::Impl {
   /// Shows the structures of `model`; true where none of those shown before is left (a new patient).
   bool showStructures(const std::vector<std::shared_ptr<const DisplayMesh>>& ready);
   void updateSection(bool coarse);
+  /// Makes the drawing of each plane anew where their number or the choice has changed.
+  void showPlan();
   void prepareFrame(FrameQuality quality);
   /// Plans the frame and gives every structure its mesh. Resting frames upload only some new ones at a time: the window answers in
   /// between.

@@ -3,12 +3,8 @@
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkBillboardTextActor3D.h>
-#include <vtkCellArray.h>
-#include <vtkContourTriangulator.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -24,39 +20,16 @@ namespace {
 struct Colour {
   double r, g, b;
 };
-constexpr Colour kFill{0.86, 0.89, 0.93};
-constexpr Colour kGrid{0.25, 0.28, 0.33};
-constexpr Colour kOutline{1.0, 1.0, 1.0};
 constexpr Colour kHandle{0.95, 0.75, 0.25};
 constexpr Colour kHighlight{1.0, 1.0, 0.85};
 constexpr double kTiltScale = 0.75;
-constexpr double kGridLiftMm = 0.2;  ///< the grid lies this far off the fill on both sides, else the two flicker
 
 void setColour(vtkActor* actor, const Colour& colour) { actor->GetProperty()->SetColor(colour.r, colour.g, colour.b); }
-
-struct Drawable {
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPolyDataMapper> mapper;
-  vtkNew<vtkActor> actor;
-
-  void init(vtkRenderer* renderer, const Colour& colour) {
-    mapper->SetInputData(data);
-    mapper->ScalarVisibilityOff();
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    setColour(actor, colour);
-    renderer->AddActor(actor);
-  }
-};
-
-vtkIdType addPoint(vtkPoints* points, const Vec3& at) { return points->InsertNextPoint(at.x(), at.y(), at.z()); }
 
 }  // namespace
 
 struct PlaneActors::Impl {
-  vtkRenderer* model = nullptr;
   vtkRenderer* overlay = nullptr;
-  Drawable fill, grid, outline;
   vtkNew<vtkSphereSource> sphere;
   vtkNew<vtkArrowSource> arrow;
   vtkNew<vtkPolyDataMapper> sphereMapper, arrowMapper;
@@ -65,7 +38,7 @@ struct PlaneActors::Impl {
   vtkNew<vtkBillboardTextActor3D> label;
 
   [[nodiscard]] std::vector<vtkProp*> overlayProps() const {
-    std::vector<vtkProp*> props{outline.actor, centreActor, arrowActor, label};
+    std::vector<vtkProp*> props{centreActor, arrowActor, label};
     for (const auto& tilt : tiltActors) {
       props.push_back(tilt);
     }
@@ -73,15 +46,9 @@ struct PlaneActors::Impl {
   }
 };
 
-PlaneActors::PlaneActors(vtkRenderer* model, vtkRenderer* overlay) : impl_(std::make_unique<Impl>()) {
+PlaneActors::PlaneActors(vtkRenderer* overlay) : impl_(std::make_unique<Impl>()) {
   Impl& d = *impl_;
-  d.model = model;
   d.overlay = overlay;
-  d.fill.init(model, kFill);
-  d.fill.actor->GetProperty()->SetOpacity(0.6);
-  d.grid.init(model, kGrid);
-  d.outline.init(overlay, kOutline);
-  d.outline.actor->GetProperty()->SetLineWidth(2);
 
   d.sphere->SetThetaResolution(24);
   d.sphere->SetPhiResolution(16);
@@ -111,57 +78,15 @@ PlaneActors::PlaneActors(vtkRenderer* model, vtkRenderer* overlay) : impl_(std::
 }
 
 PlaneActors::~PlaneActors() {
-  impl_->model->RemoveActor(impl_->fill.actor);
-  impl_->model->RemoveActor(impl_->grid.actor);
   for (vtkProp* prop : impl_->overlayProps()) {
     impl_->overlay->RemoveViewProp(prop);
   }
 }
 
 void PlaneActors::setVisible(bool visible) {
-  impl_->fill.actor->SetVisibility(visible);
-  impl_->grid.actor->SetVisibility(visible);
   for (vtkProp* prop : impl_->overlayProps()) {
     prop->SetVisibility(visible);
   }
-}
-
-void PlaneActors::setSection(const HalfSpace& plane, const std::vector<Loop>& loops) {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> lines;
-  for (const Loop& loop : loops) {
-    lines->InsertNextCell(static_cast<int>(loop.size()) + 1);
-    const vtkIdType first = points->GetNumberOfPoints();
-    for (const Vec3& point : loop) {
-      lines->InsertCellPoint(addPoint(points, point));
-    }
-    lines->InsertCellPoint(first);
-  }
-  impl_->outline.data->SetPoints(points);
-  impl_->outline.data->SetLines(lines);
-  impl_->outline.data->Modified();
-
-  vtkNew<vtkContourTriangulator> triangulator;
-  triangulator->TriangulationErrorDisplayOff();
-  triangulator->SetInputData(impl_->outline.data);
-  triangulator->Update();
-  impl_->fill.data->SetPoints(triangulator->GetOutput()->GetPoints());
-  impl_->fill.data->SetPolys(triangulator->GetOutput()->GetPolys());
-  impl_->fill.data->Modified();
-
-  vtkNew<vtkPoints> gridPoints;
-  vtkNew<vtkCellArray> gridCells;
-  for (const auto& [from, to] : gridLines(loops, plane, kGridMm)) {
-    for (const double side : {-kGridLiftMm, kGridLiftMm}) {
-      const Vec3 lift = side * plane.normal;
-      gridCells->InsertNextCell(2);
-      gridCells->InsertCellPoint(addPoint(gridPoints, from + lift));
-      gridCells->InsertCellPoint(addPoint(gridPoints, to + lift));
-    }
-  }
-  impl_->grid.data->SetPoints(gridPoints);
-  impl_->grid.data->SetLines(gridCells);
-  impl_->grid.data->Modified();
 }
 
 void PlaneActors::placeHandles(const HalfSpace& plane, const HandleLayout& layout, std::optional<PlaneHandle> highlighted) {

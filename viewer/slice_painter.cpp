@@ -63,8 +63,8 @@ std::optional<std::pair<SlicePoint, SlicePoint>> planeLine(const SliceGeometry& 
   return std::pair{SlicePoint(onLine + from * along), SlicePoint(onLine + to * along)};
 }
 
-void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, const HalfSpace& plane,
-                   const QTransform& toWidget) {
+void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, const HalfSpace& plane, const QTransform& toWidget,
+                   bool strong) {
   const auto ends = planeLine(geometry, slice, plane);
   if (!ends) {
     return;
@@ -83,15 +83,15 @@ void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, 
     const QPointF foot = line.p1() + (n + 0.5) * kTickDistance * along;
     ticks.append(QLineF(foot, foot + kTickPixels * resected));
   }
-  QPen edge(kDark, 4.0);
+  QPen edge(kDark, strong ? 4.0 : 2.5);
   edge.setCapStyle(Qt::FlatCap);
   painter.setPen(edge);
   painter.drawLine(line);
   painter.setPen(QPen(kDark, 3.0));
   painter.drawLines(ticks);
-  QPen dashes(Qt::white, 1.8);
+  QPen dashes(Qt::white, strong ? 1.8 : 1.0);
   dashes.setCapStyle(Qt::FlatCap);
-  dashes.setDashPattern({6, 3});
+  dashes.setDashPattern(strong ? QVector<qreal>{6, 3} : QVector<qreal>{2, 4});
   painter.setPen(dashes);
   painter.drawLine(line);
   painter.setPen(QPen(Qt::white, 1.2));

@@ -55,6 +55,7 @@ struct SliceView::Impl {
   std::shared_ptr<const LiverVoxels> liver;
   std::shared_ptr<const LiverModel> model;
   std::optional<HalfSpace> plane;
+  std::vector<HalfSpace> otherPlanes;
   std::optional<SliceGeometry> geometry;
   Vec3 crosshair = Vec3::Zero();
   int slice = 0;
@@ -208,8 +209,9 @@ void SliceView::setModel(std::shared_ptr<const LiverModel> model) {
   }
 }
 
-void SliceView::setPlane(std::optional<HalfSpace> plane) {
+void SliceView::setPlane(std::optional<HalfSpace> plane, std::vector<HalfSpace> others) {
   impl_->plane = std::move(plane);
+  impl_->otherPlanes = std::move(others);
   update();
 }
 
@@ -264,6 +266,9 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     const auto [vertical, horizontal] = otherAxes(d.axis);
     drawCrosshair(painter, *pixelOf(d.crosshair), size(), vertical, horizontal);
+    for (const HalfSpace& other : d.otherPlanes) {
+      drawPlaneLine(painter, *d.geometry, d.slice, other, d.toWidget(), false);
+    }
     if (d.plane) {
       drawPlaneLine(painter, *d.geometry, d.slice, *d.plane, d.toWidget());
     }

@@ -32,7 +32,8 @@ class SliceView : public QWidget {
                   std::shared_ptr<const LiverVoxels> liver = nullptr);
   /// Visibility and colours of outlines come from the model's structures (by sourceIndex).
   void setModel(std::shared_ptr<const LiverModel> model);
-  void setPlane(std::optional<HalfSpace> plane);
+  /// The plane that is worked on, and the others of the plan.
+  void setPlane(std::optional<HalfSpace> plane, std::vector<HalfSpace> others = {});
   /// mm LPS; steps to the slice that holds it. Emits no signal.
   void setCrosshair(const Vec3& worldMm);
   void setWindowLevel(const WindowLevel& windowLevel);

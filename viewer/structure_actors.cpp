@@ -28,42 +28,37 @@ Rgb resectedColour(Rgb colour) {
 }
 
 StructureActors::StructureActors(vtkRenderer* renderer, std::shared_ptr<const DisplayMesh> mesh, bool split)
-    : renderer_(renderer), mesh_(std::move(mesh)) {
-  remnant_ = makeSide();
-  if (split) {
-    resected_ = makeSide();
-  }
+    : renderer_(renderer), mesh_(std::move(mesh)), split_(split) {
+  addPart();
 }
 
 StructureActors::~StructureActors() {
-  renderer_->RemoveActor(remnant_.actor);
-  if (resected_) {
-    renderer_->RemoveActor(resected_->actor);
+  for (const Part& part : parts_) {
+    renderer_->RemoveActor(part.actor);
   }
 }
 
-StructureActors::Side StructureActors::makeSide() {
-  Side side;
-  side.clip = vtkSmartPointer<vtkPlane>::New();
+void StructureActors::addPart() {
+  Part part;
   for (std::size_t d = 0; d < kDetails; ++d) {
     const auto same = std::ranges::find(mesh_->polys, mesh_->polys[d]) - mesh_->polys.begin();
     if (static_cast<std::size_t>(same) < d) {
-      side.mappers[d] = side.mappers[static_cast<std::size_t>(same)];
+      part.mappers[d] = part.mappers[static_cast<std::size_t>(same)];
       continue;
     }
-    side.mappers[d] = vtkSmartPointer<vtkPolyDataMapper>::New();
-    side.mappers[d]->SetInputData(mesh_->polys[d]);
-    side.mappers[d]->ScalarVisibilityOff();
+    part.mappers[d] = vtkSmartPointer<vtkPolyDataMapper>::New();
+    part.mappers[d]->SetInputData(mesh_->polys[d]);
+    part.mappers[d]->ScalarVisibilityOff();
   }
-  side.actor = vtkSmartPointer<vtkActor>::New();
-  side.actor->SetMapper(side.mappers.front());
-  side.actor->GetProperty()->SetInterpolationToPhong();
-  side.actor->GetProperty()->SetAmbient(0.2);
-  side.actor->GetProperty()->SetDiffuse(0.85);
-  side.actor->GetProperty()->SetSpecular(0.15);
-  side.actor->GetProperty()->SetSpecularPower(20);
-  renderer_->AddActor(side.actor);
-  return side;
+  part.actor = vtkSmartPointer<vtkActor>::New();
+  part.actor->SetMapper(part.mappers[detail_]);
+  part.actor->GetProperty()->SetInterpolationToPhong();
+  part.actor->GetProperty()->SetAmbient(0.2);
+  part.actor->GetProperty()->SetDiffuse(0.85);
+  part.actor->GetProperty()->SetSpecular(0.15);
+  part.actor->GetProperty()->SetSpecularPower(20);
+  renderer_->AddActor(part.actor);
+  parts_.push_back(std::move(part));
 }
 
 void StructureActors::setLook(Rgb colour, double opacity, bool visible) {
@@ -73,56 +68,67 @@ void StructureActors::setLook(Rgb colour, double opacity, bool visible) {
   apply();
 }
 
-void StructureActors::setPlane(const std::optional<HalfSpace>& plane) {
-  if (!resected_) {
-    return;
-  }
-  if (plane) {
-    // A VTK clipping plane keeps the side its normal points to.
-    remnant_.clip->SetOrigin(plane->origin.data());
-    remnant_.clip->SetNormal(-plane->normal.x(), -plane->normal.y(), -plane->normal.z());
-    resected_->clip->SetOrigin(plane->origin.data());
-    resected_->clip->SetNormal(plane->normal.x(), plane->normal.y(), plane->normal.z());
-  }
-  if (cut_ == plane.has_value()) {
-    return;
-  }
-  cut_ = plane.has_value();
-  for (Side* side : {&remnant_, &*resected_}) {
-    for (vtkPolyDataMapper* mapper : side->mappers) {
+void StructureActors::clip(Part& part, const PlanCell& cell) {
+  if (part.clips.size() != cell.bounds.size()) {
+    part.clips.resize(cell.bounds.size());
+    for (vtkPolyDataMapper* mapper : part.mappers) {
       mapper->RemoveAllClippingPlanes();  // also: one mapper may stand for several details
-      if (cut_) {
-        mapper->AddClippingPlane(side->clip);
+      for (vtkSmartPointer<vtkPlane>& plane : part.clips) {
+        plane = plane == nullptr ? vtkSmartPointer<vtkPlane>::New() : plane;
+        mapper->AddClippingPlane(plane);
       }
     }
+  }
+  for (std::size_t n = 0; n < cell.bounds.size(); ++n) {
+    // A VTK clipping plane keeps the side its normal points to.
+    part.clips[n]->SetOrigin(cell.bounds[n].origin.data());
+    part.clips[n]->SetNormal(cell.bounds[n].normal.data());
+  }
+}
+
+void StructureActors::setPlan(const ResectionPlan& plan) {
+  if (!split_) {
+    return;
+  }
+  const std::vector<PlanCell> cells = cellsOf(plan);
+  while (parts_.size() > cells.size()) {
+    renderer_->RemoveActor(parts_.back().actor);
+    parts_.pop_back();
+  }
+  if (parts_.size() < cells.size()) {
+    uploaded_ = {};
+  }
+  while (parts_.size() < cells.size()) {
+    addPart();
+  }
+  for (std::size_t n = 0; n < cells.size(); ++n) {
+    parts_[n].side = cells[n].side;
+    clip(parts_[n], cells[n]);
   }
   apply();
 }
 
 void StructureActors::setDetail(Detail detail) {
-  const auto index = static_cast<std::size_t>(detail);
-  remnant_.actor->SetMapper(remnant_.mappers[index]);
-  if (resected_) {
-    resected_->actor->SetMapper(resected_->mappers[index]);
+  detail_ = static_cast<std::size_t>(detail);
+  for (const Part& part : parts_) {
+    part.actor->SetMapper(part.mappers[detail_]);
   }
   for (std::size_t d = 0; d < kDetails; ++d) {
-    uploaded_[d] = uploaded_[d] || (visible_ && mesh_->polys[d] == mesh_->polys[index]);
+    uploaded_[d] = uploaded_[d] || (visible_ && mesh_->polys[d] == mesh_->polys[detail_]);
   }
 }
 
 std::size_t StructureActors::triangles(Detail detail) const {
   const auto count = static_cast<std::size_t>(mesh_->poly(detail)->GetNumberOfPolys());
-  return visible_ ? count * (cut_ ? 2U : 1U) : 0U;
+  return visible_ ? count * parts_.size() : 0U;
 }
 
 void StructureActors::apply() {
-  setColour(remnant_.actor, colour_);
-  remnant_.actor->GetProperty()->SetOpacity(opacity_);
-  remnant_.actor->SetVisibility(visible_);
-  if (resected_) {
-    setColour(resected_->actor, resectedColour(colour_));
-    resected_->actor->GetProperty()->SetOpacity(opacity_ < 1.0 ? kResectedOpacity * opacity_ : 1.0);
-    resected_->actor->SetVisibility(visible_ && cut_);
+  for (const Part& part : parts_) {
+    const bool resected = part.side == PlanSide::Resected;
+    setColour(part.actor, resected ? resectedColour(colour_) : colour_);
+    part.actor->GetProperty()->SetOpacity(resected && opacity_ < 1.0 ? kResectedOpacity * opacity_ : opacity_);
+    part.actor->SetVisibility(visible_);
   }
 }
 

@@ -1,15 +1,15 @@
 #pragma once
-// Purpose: one structure in the 3D view. The parenchyma is drawn as two actors that share its mesh, cut by the GPU at the plane:
-// the remnant in the structure's colour, the resected side pale and thinner. Frame: mm LPS.
+// Purpose: one structure in the 3D view. The parenchyma is drawn as several actors that share its mesh, cut by the GPU into the
+// plan's convex parts: the remnant in the structure's colour, what is resected pale and thinner. Frame: mm LPS.
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
 #include <memory>
-#include <optional>
+#include <vector>
 
-#include "reconstruction/mesh/cut.h"
+#include "planning/resection/plan_cells.h"
 #include "viewer/mesh_polydata.h"
 
 class vtkActor;
@@ -25,18 +25,18 @@ Rgb resectedColour(Rgb colour);
 
 class StructureActors {
  public:
-  /// The mesh is uploaded with the next frame. `split`: the plane cuts this structure (the parenchyma).
+  /// The mesh is uploaded with the next frame. `split`: the plan cuts this structure (the parenchyma).
   StructureActors(vtkRenderer* renderer, std::shared_ptr<const DisplayMesh> mesh, bool split);
   ~StructureActors();
   StructureActors(const StructureActors&) = delete;
   StructureActors& operator=(const StructureActors&) = delete;
 
   void setLook(Rgb colour, double opacity, bool visible);
-  void setPlane(const std::optional<HalfSpace>& plane);
+  void setPlan(const ResectionPlan& plan);
   /// What the next frame draws; it uploads what was not drawn before.
   void setDetail(Detail detail);
   [[nodiscard]] bool uploaded(Detail detail) const { return uploaded_[static_cast<std::size_t>(detail)]; }
-  /// Triangles drawn at this detail: 0 where hidden, twice the mesh's where both sides of a plane are.
+  /// Triangles drawn at this detail: 0 where hidden, the mesh's once for every part.
   [[nodiscard]] std::size_t triangles(Detail detail) const;
 
   [[nodiscard]] const Reconstruction* source() const { return mesh_->source.get(); }
@@ -46,23 +46,26 @@ class StructureActors {
   [[nodiscard]] bool visible() const { return visible_; }
 
  private:
-  /// The structure on one side of the plane.
-  struct Side {
+  /// What lies in one part of the plan.
+  struct Part {
+    PlanSide side = PlanSide::Remnant;
     vtkSmartPointer<vtkActor> actor;
     std::array<vtkSmartPointer<vtkPolyDataMapper>, kDetails> mappers;  ///< one for each different mesh
-    vtkSmartPointer<vtkPlane> clip;
+    std::vector<vtkSmartPointer<vtkPlane>> clips;
   };
-  Side makeSide();
+  void addPart();
+  /// As many clipping planes as `cell` has bounds, standing there.
+  static void clip(Part& part, const PlanCell& cell);
   void apply();
 
   vtkRenderer* renderer_;
   std::shared_ptr<const DisplayMesh> mesh_;
-  Side remnant_;
-  std::optional<Side> resected_;
+  bool split_;
+  std::vector<Part> parts_;
+  std::size_t detail_ = 0;
   Rgb colour_;
   double opacity_ = 1;
   bool visible_ = true;
-  bool cut_ = false;
   std::array<bool, kDetails> uploaded_{};
 };
 

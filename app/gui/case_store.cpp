@@ -58,6 +58,14 @@ void CaseStore::storePlans(const std::vector<ResectionPlan>& plans) {
   });
 }
 
+void CaseStore::storePatient(const PatientFacts& facts) {
+  post([facts](Worker& worker) {
+    if (worker.file) {
+      worker.file->storePatient(facts);
+    }
+  });
+}
+
 void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
   const std::uint64_t mine = ++*models_;
   post([model = std::move(model), models = models_, mine](Worker& worker) {

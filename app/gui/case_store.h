@@ -29,6 +29,7 @@ class CaseStore : public QObject {
   /// Goes on with a file that was opened elsewhere.
   void adopt(std::shared_ptr<CaseFile> file);
   void storePlans(const std::vector<ResectionPlan>& plans);
+  void storePatient(const PatientFacts& facts);
   void storeModel(std::shared_ptr<const LiverModel> model);
   /// Writes the whole case to `path`, goes on there, and removes `obsolete` (a recovery file) where it is given.
   void saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete);

@@ -1,7 +1,7 @@
 #include "app/gui/document.h"
 
 #include "app/gui/edit_commands.h"
-#include "planning/resection/plan_edit.h"
+#include "app/gui/sentences.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
@@ -35,6 +35,7 @@ void Document::open(Case content, std::shared_ptr<CaseFile> file) {
   open_ = true;
   fresh_ = file == nullptr;
   case_ = std::move(content);
+  chosen_ = {};
   undo_.clear();
   beforeDrag_.reset();
   assessor_.reset();
@@ -55,6 +56,7 @@ void Document::open(Case content, std::shared_ptr<CaseFile> file) {
   }
   emit caseChanged();
   emit planChanged();
+  emit patientChanged();
   emit assessmentChanged();
   emit cleanChanged();
   prepareAssessor();
@@ -64,6 +66,7 @@ void Document::close() {
   leave();
   open_ = false;
   case_ = {};
+  chosen_ = {};
   undo_.clear();
   assessor_.reset();
   assessment_ = {};
@@ -73,93 +76,12 @@ void Document::close() {
   emit assessmentChanged();
 }
 
-QString Document::stepName(const QString& text) { return tr(text.toUtf8().constData()); }
+QString Document::stepName(const QString& text) {
+  const QString shown = shownSentence(text);  // the names of a plan's edits come from planning/
+  return shown == text ? tr(text.toUtf8().constData()) : shown;
+}
 
 bool Document::isClean() const { return !open_ || (!recovery_ && undo_.isClean()); }
-
-const ResectionPlan& Document::plan() const {
-  static const ResectionPlan kNone;
-  return case_.plans.empty() ? kNone : case_.plans.front();
-}
-
-std::optional<HalfSpace> Document::plane() const {
-  const ResectionPlan& current = plan();
-  if (current.resections.empty() || current.resections.front().planes.empty()) {
-    return std::nullopt;
-  }
-  return current.resections.front().planes.front();
-}
-
-std::vector<ResectionPlan> Document::plansWithPlane(const std::optional<HalfSpace>& plane) const {
-  std::vector<ResectionPlan> plans = case_.plans;
-  if (plans.empty()) {
-    plans.push_back({.name = "Plan 1", .resections = {}});
-  }
-  std::vector<Resection>& resections = plans.front().resections;
-  if (!plane) {
-    if (!resections.empty()) {
-      resections.erase(resections.begin());
-    }
-    return plans;
-  }
-  if (resections.empty()) {
-    resections.push_back({.name = "Resection 1", .planes = {*plane}});
-    return plans;
-  }
-  plans.front() = apply(plans.front(), {.resection = 0, .plane = 0, .to = *plane});
-  return plans;
-}
-
-void Document::placePlane(const HalfSpace& plane) {
-  undo_.push(new PlansCommand(*this, QString::fromLatin1(QT_TR_NOOP("place plane")), case_.plans, plansWithPlane(plane)));
-}
-
-void Document::movePlane(const HalfSpace& plane) {
-  undo_.push(new PlansCommand(*this, QString::fromLatin1(QT_TR_NOOP("move plane")), case_.plans, plansWithPlane(plane)));
-}
-
-void Document::removePlane() {
-  if (plane()) {
-    undo_.push(new PlansCommand(*this, QString::fromLatin1(QT_TR_NOOP("remove plane")), case_.plans, plansWithPlane(std::nullopt)));
-  }
-}
-
-void Document::beginDrag() { beforeDrag_ = case_.plans; }
-
-void Document::dragTo(const HalfSpace& plane) {
-  if (!beforeDrag_) {
-    beginDrag();
-  }
-  case_.plans = plansWithPlane(plane);
-  emit planChanged();
-  assessVolumes();
-}
-
-void Document::endDrag(const HalfSpace& plane) {
-  if (!beforeDrag_) {
-    return;
-  }
-  std::vector<ResectionPlan> before = std::move(*beforeDrag_);
-  beforeDrag_.reset();
-  std::vector<ResectionPlan> after = plansWithPlane(plane);
-  case_.plans = before;
-  const std::optional<HalfSpace> from = this->plane();
-  if (from && from->origin == plane.origin && from->normal == plane.normal) {
-    setPlans(std::move(before));  // a click on a handle moves nothing and is no step
-    return;
-  }
-  undo_.push(new PlansCommand(*this, QString::fromLatin1(QT_TR_NOOP("move plane")), std::move(before), std::move(after)));
-}
-
-void Document::setPlans(std::vector<ResectionPlan> plans) {
-  case_.plans = std::move(plans);
-  if (!readOnly_) {
-    store_.storePlans(case_.plans);
-  }
-  emit planChanged();
-  assessVolumes();
-  assessAll();
-}
 
 void Document::setColour(const std::string& structureId, Rgb colour) {
   const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;

@@ -12,6 +12,7 @@
 #include "app/gui/case_store.h"
 #include "app/jobs/job_runner.h"
 #include "planning/case/case.h"
+#include "planning/resection/plan_edit.h"
 #include "planning/volumetry/assessment.h"
 
 namespace glisson {
@@ -21,6 +22,14 @@ enum class Freshness : std::uint8_t {
   None,     ///< not computed yet
   Volumes,  ///< volumes are right, margins and vessels are of an older plan
   All
+};
+
+/// The plane that is worked on, by its places in the lists. What it names may be missing: an empty plan has no plane.
+struct ChosenPlane {
+  std::size_t plan = 0;
+  std::size_t resection = 0;
+  std::size_t plane = 0;
+  bool operator==(const ChosenPlane&) const = default;
 };
 
 class Document : public QObject {
@@ -45,8 +54,12 @@ class Document : public QObject {
   /// Saved under a name of its own and not changed since.
   [[nodiscard]] bool isClean() const;
 
-  /// The plane being worked on: the first of the first resection; nothing while the plan is empty.
+  [[nodiscard]] const ChosenPlane& chosen() const { return chosen_; }
+  /// What is worked on and shown; no undo step. Places that do not exist become the nearest that do.
+  void choose(const ChosenPlane& chosen);
+  /// The plane being worked on; nothing while the plan is empty.
   [[nodiscard]] std::optional<HalfSpace> plane() const;
+  /// The plan being worked on.
   [[nodiscard]] const ResectionPlan& plan() const;
   [[nodiscard]] const PlanAssessment& assessment() const { return assessment_; }
   [[nodiscard]] Freshness freshness() const { return freshness_; }
@@ -57,6 +70,15 @@ class Document : public QObject {
   void placePlane(const HalfSpace& plane);
   void movePlane(const HalfSpace& plane);
   void removePlane();
+  /// Any edit of the plan worked on; a plane it adds is the one worked on then. Throws PlanningError and changes nothing where the
+  /// plan does not take it.
+  void edit(const PlanEdit& edit);
+  /// The list of plans. Throw as the functions of plan_list.h; a plan that comes is the one worked on then.
+  void addPlan();
+  void duplicatePlan();
+  void renamePlan(const std::string& name);
+  void removePlan();
+  void setPatient(const PatientFacts& facts);
   void setColour(const std::string& structureId, Rgb colour);
   void setOpacity(const std::string& structureId, double opacity);
   /// A matter of looking, not of the plan: stored, but no undo step.
@@ -85,7 +107,8 @@ class Document : public QObject {
   void modelChanged();       ///< a structure was made or looks different
   void ctChanged();          ///< the CT has come
   void notesChanged();       ///< the problem list
-  void planChanged();        ///< the plane stands elsewhere
+  void planChanged();        ///< a plane stands elsewhere, another one is worked on, or the list of plans is another
+  void patientChanged();     ///< what the user said about the patient
   void assessmentChanged();  ///< new numbers, or old ones out of date
   void cleanChanged();
   void saved(const QString& path);
@@ -93,14 +116,17 @@ class Document : public QObject {
 
  private:
   friend class PlansCommand;
+  friend class PatientCommand;
   friend class AppearanceCommand;
   struct Appearance {
     Rgb colour;
     double opacity = 1;
   };
   void leave();
-  [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const std::optional<HalfSpace>& plane) const;
-  void setPlans(std::vector<ResectionPlan> plans);
+  [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const HalfSpace& plane) const;
+  void pushPlans(const QString& name, std::vector<ResectionPlan> plans, const ChosenPlane& chosen);
+  void setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen);
+  void storePatient(const PatientFacts& facts);
   void setAppearance(const std::string& structureId, const Appearance& appearance);
   void replaceModel(std::shared_ptr<const LiverModel> model);
   void prepareAssessor();
@@ -115,6 +141,7 @@ class Document : public QObject {
   bool readOnly_ = false;
   std::filesystem::path path_;
   Case case_;
+  ChosenPlane chosen_;
   QUndoStack undo_;
   CaseStore store_;
   std::shared_ptr<const PlanAssessor> assessor_;

@@ -2,13 +2,19 @@
 
 namespace glisson {
 
-PlansCommand::PlansCommand(Document& document, const QString& text, std::vector<ResectionPlan> before,
-                           std::vector<ResectionPlan> after)
+PlansCommand::PlansCommand(Document& document, const QString& text, State before, State after)
     : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)) {}
 
-void PlansCommand::undo() { document_.setPlans(before_); }
+void PlansCommand::undo() { document_.setPlans(before_.plans, before_.chosen); }
 
-void PlansCommand::redo() { document_.setPlans(after_); }
+void PlansCommand::redo() { document_.setPlans(after_.plans, after_.chosen); }
+
+PatientCommand::PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after)
+    : QUndoCommand(text), document_(document), before_(before), after_(after) {}
+
+void PatientCommand::undo() { document_.storePatient(before_); }
+
+void PatientCommand::redo() { document_.storePatient(after_); }
 
 AppearanceCommand::AppearanceCommand(Document& document, const QString& text, What what, std::string structureId,
                                      Document::Appearance before, Document::Appearance after)

@@ -9,14 +9,31 @@ namespace glisson {
 
 class PlansCommand : public QUndoCommand {
  public:
-  PlansCommand(Document& document, const QString& text, std::vector<ResectionPlan> before, std::vector<ResectionPlan> after);
+  /// The plans, and the plane worked on among them.
+  struct State {
+    std::vector<ResectionPlan> plans;
+    ChosenPlane chosen;
+  };
+  PlansCommand(Document& document, const QString& text, State before, State after);
   void undo() override;
   void redo() override;
 
  private:
   Document& document_;
-  std::vector<ResectionPlan> before_;
-  std::vector<ResectionPlan> after_;
+  State before_;
+  State after_;
+};
+
+class PatientCommand : public QUndoCommand {
+ public:
+  PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after);
+  void undo() override;
+  void redo() override;
+
+ private:
+  Document& document_;
+  PatientFacts before_;
+  PatientFacts after_;
 };
 
 /// Steps of the same slider on the same structure become one.

@@ -7,7 +7,9 @@
 #include "app/gui/export_panel.h"
 #include "app/gui/main_window.h"
 #include "app/gui/number_text.h"
+#include "app/gui/place_menu.h"
 #include "app/gui/plane_editor.h"
+#include "app/gui/plane_placer.h"
 #include "app/gui/title_line.h"
 #include "app/gui/view_area.h"
 
@@ -134,17 +136,18 @@ void MainActions::makeViewMenu() {
 
 void MainActions::makePlaneMenu() {
   QMenu* plane = addMenu(nullptr, "menuPlane", QT_TR_NOOP("&Plane"));
-  needCase_.push_back(
-      add(plane, "actionPlacePlane", QT_TR_NOOP("&Place plane on the liver"), QKeySequence("P"), [this] { window_.placePlane(); }));
+  needCase_.push_back(add(plane, "actionPlacePlane", QT_TR_NOOP("&Place plane on the liver"), QKeySequence("P"),
+                          [this] { window_.placer().placeAsSeen(); }));
+  placeOtherwise_ = plane->addMenu(&window_.placer().menu());
   const auto step = [this, plane](const char* name, const char* text, const char* key, std::function<void()> act) {
     needPlane_.push_back(add(plane, name, text, QKeySequence(key), std::move(act)));
   };
-  step("actionMoveForward", QT_TR_NOOP("Move 1 mm to the &resected side"), "+", [this] { window_.movePlaneBy(kKeyStepMm); });
-  step("actionMoveBack", QT_TR_NOOP("Move 1 mm to the re&mnant"), "-", [this] { window_.movePlaneBy(-kKeyStepMm); });
-  step("actionTiltLeft", QT_TR_NOOP("Turn &left"), "Alt+Left", [this] { window_.tiltPlane(kKeyTiltRadians, 0); });
-  step("actionTiltRight", QT_TR_NOOP("Turn ri&ght"), "Alt+Right", [this] { window_.tiltPlane(-kKeyTiltRadians, 0); });
-  step("actionTiltUp", QT_TR_NOOP("Turn &up"), "Alt+Up", [this] { window_.tiltPlane(0, kKeyTiltRadians); });
-  step("actionTiltDown", QT_TR_NOOP("Turn &down"), "Alt+Down", [this] { window_.tiltPlane(0, -kKeyTiltRadians); });
+  step("actionMoveForward", QT_TR_NOOP("Move 1 mm to the &resected side"), "+", [this] { window_.placer().moveBy(kKeyStepMm); });
+  step("actionMoveBack", QT_TR_NOOP("Move 1 mm to the re&mnant"), "-", [this] { window_.placer().moveBy(-kKeyStepMm); });
+  step("actionTiltLeft", QT_TR_NOOP("Turn &left"), "Alt+Left", [this] { window_.placer().tilt(kKeyTiltRadians, 0); });
+  step("actionTiltRight", QT_TR_NOOP("Turn ri&ght"), "Alt+Right", [this] { window_.placer().tilt(-kKeyTiltRadians, 0); });
+  step("actionTiltUp", QT_TR_NOOP("Turn &up"), "Alt+Up", [this] { window_.placer().tilt(0, kKeyTiltRadians); });
+  step("actionTiltDown", QT_TR_NOOP("Turn &down"), "Alt+Down", [this] { window_.placer().tilt(0, -kKeyTiltRadians); });
   plane->addSeparator();
   step("actionRemovePlane", QT_TR_NOOP("Remo&ve plane"), "Ctrl+Del", [this] { window_.document().removePlane(); });
 }
@@ -171,6 +174,7 @@ void MainActions::retranslateUi() {
   for (const Text& text : texts_) {
     text.action->setText(tr(text.source));
   }
+  placeOtherwise_->setText(tr("Place plane &otherwise"));
   english_->setChecked(window_.language().code() != QLatin1String("de"));
   german_->setChecked(window_.language().code() == QLatin1String("de"));
   refresh();

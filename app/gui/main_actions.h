@@ -40,6 +40,7 @@ class MainActions : public QObject {
   std::vector<QAction*> needCase_;
   std::vector<QAction*> needPlane_;
   QMenu* recent_ = nullptr;
+  QAction* placeOtherwise_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   QAction* left_ = nullptr;

@@ -1,6 +1,5 @@
 #include "app/gui/main_window.h"
 
-#include <Eigen/Geometry>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -18,13 +17,15 @@
 #include "app/gui/message_bar.h"
 #include "app/gui/model_panel.h"
 #include "app/gui/number_text.h"
+#include "app/gui/place_menu.h"
+#include "app/gui/plan_bar.h"
 #include "app/gui/plan_panel.h"
 #include "app/gui/plane_editor.h"
+#include "app/gui/plane_placer.h"
 #include "app/gui/start_page.h"
 #include "app/gui/structure_list.h"
 #include "app/gui/title_line.h"
 #include "app/gui/view_area.h"
-#include "planning/resection/place_plane.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
@@ -66,6 +67,7 @@ void MainWindow::build() {
   views_ = new ViewArea(*document_, jobs_, middle_);
   middle_->addWidget(start_);
   middle_->addWidget(views_);
+  placer_ = new PlanePlacer(jobs_, *document_, *views_, this);
   auto* casePanel = new CasePanel(*document_, right_);
   connect(casePanel, &CasePanel::openRequested, this, &MainWindow::openFiles);
   right_->addWidget(casePanel);
@@ -120,12 +122,19 @@ void MainWindow::connectParts() {
     jobBar_->tell(tr("Exported and verified: %1").arg(QDir::toNativeSeparators(folder)));
     refreshStates();
   });
+  connect(&plan_->planBar(), &PlanBar::resectionRequested, placer_, [this] { placer_->addAsSeen(true); });
+  connect(&plan_->planBar(), &PlanBar::planeRequested, placer_, [this] { placer_->addAsSeen(false); });
+  connect(placer_, &PlanePlacer::placed, this, [this] { workspaces_->setCurrent(Workspace::Plan); });
+  connect(placer_, &PlanePlacer::refused, this, &MainWindow::complain);
+  connect(placer_, &PlanePlacer::hint, jobBar_, &JobBar::tell);
+  connect(&plan_->planBar(), &PlanBar::refused, this, &MainWindow::complain);
   PlaneEditor& editor = plan_->planeEditor();
-  connect(&editor, &PlaneEditor::placeRequested, this, &MainWindow::placePlane);
+  editor.setPlaceMenu(&placer_->menu());
+  connect(&editor, &PlaneEditor::placeRequested, placer_, &PlanePlacer::placeAsSeen);
   connect(&editor, &PlaneEditor::removeRequested, document_, &Document::removePlane);
   connect(&editor, &PlaneEditor::planeEdited, document_, &Document::movePlane);
-  connect(&editor, &PlaneEditor::moveRequested, this, &MainWindow::movePlaneBy);
-  connect(&editor, &PlaneEditor::tiltRequested, this, &MainWindow::tiltPlane);
+  connect(&editor, &PlaneEditor::moveRequested, placer_, &PlanePlacer::moveBy);
+  connect(&editor, &PlaneEditor::tiltRequested, placer_, &PlanePlacer::tilt);
   connect(&editor, &PlaneEditor::normalRefused, this,
           [this] { complain(QStringLiteral("The normal (0, 0, 0) has no direction; enter at least one component.")); });
   connect(views_, &ViewArea::windowLevelChanged, this, [](const WindowLevel& windowLevel) {
@@ -208,44 +217,6 @@ void MainWindow::retranslateUi() {
     actions_->retranslateUi();
     refreshStates();
   }
-}
-
-void MainWindow::placePlane() {
-  const std::optional<Vec3> centre = document_->liverCentre();
-  if (!document_->isOpen() || !centre) {
-    complain(QStringLiteral("The plane can be placed as soon as the liver's volumes are computed."));
-    return;
-  }
-  try {
-    const ModelView& view = views_->modelView();
-    document_->placePlane(planeFromCamera(*centre, view.viewDirection(), view.viewUp()));
-    workspaces_->setCurrent(Workspace::Plan);
-  } catch (const Error& error) {
-    complain(messageOf(error));
-  }
-}
-
-void MainWindow::movePlaneBy(double mm) {
-  if (const std::optional<HalfSpace> plane = document_->plane()) {
-    document_->movePlane(movedAlongNormal(*plane, mm));
-  }
-}
-
-void MainWindow::tiltPlane(double aboutUp, double aboutRight) {
-  const std::optional<HalfSpace> plane = document_->plane();
-  if (!plane) {
-    return;
-  }
-  const ModelView& view = views_->modelView();
-  const Vec3 right = view.viewDirection().cross(view.viewUp()).normalized();
-  HalfSpace tilted = *plane;
-  if (aboutUp != 0) {
-    tilted = turned(tilted, view.viewUp(), aboutUp);
-  }
-  if (aboutRight != 0) {
-    tilted = turned(tilted, right, aboutRight);
-  }
-  document_->movePlane(tilted);
 }
 
 void MainWindow::setWindowLevel(double width, double level) { views_->setWindowLevel({width, level}); }

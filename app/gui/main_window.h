@@ -21,6 +21,7 @@ class JobBar;
 class MainActions;
 class MessageBar;
 class PlanPanel;
+class PlanePlacer;
 class StartPage;
 class TitleLine;
 class ViewArea;
@@ -34,6 +35,7 @@ class MainWindow : public Translated<QMainWindow> {
   [[nodiscard]] Document& document() { return *document_; }
   [[nodiscard]] CaseOpener& opener() { return *opener_; }
   [[nodiscard]] ModelBuilder& builder() { return *builder_; }
+  [[nodiscard]] PlanePlacer& placer() { return *placer_; }
   [[nodiscard]] ViewArea& views() { return *views_; }
   [[nodiscard]] MessageBar& messages() { return *messages_; }
   [[nodiscard]] ExportPanel& exportPanel() { return *export_; }
@@ -46,10 +48,6 @@ class MainWindow : public Translated<QMainWindow> {
   void openFolder();
   void save();
   void saveAs();
-  void placePlane();
-  void movePlaneBy(double mm);
-  /// Radians about the 3D view's up axis and right axis.
-  void tiltPlane(double aboutUp, double aboutRight);
   void showAbout();
   void showLeftPanel(bool shown);
   void showRightPanel(bool shown);
@@ -95,6 +93,7 @@ class MainWindow : public Translated<QMainWindow> {
   StartPage* start_;
   ViewArea* views_;
   PlanPanel* plan_;
+  PlanePlacer* placer_;
   ExportPanel* export_;
   JobBar* jobBar_;
   MainActions* actions_ = nullptr;

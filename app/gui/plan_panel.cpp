@@ -7,7 +7,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/big_number.h"
+#include "app/gui/flr_card_box.h"
 #include "app/gui/number_text.h"
+#include "app/gui/plan_bar.h"
 #include "app/gui/plane_editor.h"
 #include "app/gui/sentences.h"
 
@@ -21,7 +23,7 @@ QTreeWidget* makeTable(const QString& name, QWidget* parent) {
   table->setRootIsDecorated(false);
   table->setSelectionMode(QAbstractItemView::NoSelection);
   table->setTextElideMode(Qt::ElideMiddle);  // livertumor01 and livertumor02 differ at the end
-  table->setMinimumHeight(76);
+  table->setMinimumHeight(96);
   table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // shares what room is left
   table->header()->setStretchLastSection(false);
   return table;
@@ -54,6 +56,7 @@ QString marginText(const TumourAssessment& tumour) {
 PlanPanel::PlanPanel(Document& document, QWidget* parent)
     : Translated<QWidget>(parent),
       document_(document),
+      bar_(new PlanBar(document, this)),
       flr_(new BigNumber("flr", 1.8, this)),
       resected_(new BigNumber("resected", 1.8, this)),
       remnant_(new BigNumber("remnant", 1.2, this)),
@@ -64,7 +67,8 @@ PlanPanel::PlanPanel(Document& document, QWidget* parent)
       tumoursLabel_(new QLabel(this)),
       tumours_(makeTable("tumourTable", this)),
       vesselsLabel_(new QLabel(this)),
-      vessels_(makeTable("vesselTable", this)) {
+      vessels_(makeTable("vesselTable", this)),
+      card_(new FlrCardBox(document, this)) {
   setObjectName("planPanel");
   warning_->setObjectName("planWarning");
   warning_->setWordWrap(true);
@@ -74,8 +78,8 @@ PlanPanel::PlanPanel(Document& document, QWidget* parent)
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(6, 4, 6, 4);
   column->setSpacing(3);
-  for (QWidget* part : std::initializer_list<QWidget*>{flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_,
-                                                       tumoursLabel_, tumours_, vesselsLabel_, vessels_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_,
+                                                       tumoursLabel_, tumours_, vesselsLabel_, vessels_, card_}) {
     column->addWidget(part);
   }
   column->setStretchFactor(tumours_, 2);
@@ -132,16 +136,7 @@ void PlanPanel::refreshVolumes() {
   uncertainty_->setVisible(known);
   uncertainty_->setText(tr("Liver %1, functional %2, uncertainty of the cut \u00B1%3")
                             .arg(mlText(now.totalMl), mlText(now.functionalMl), mlText(now.volumeUncertaintyMl, 1)));
-  int planes = 0;
-  for (const Resection& resection : document_.plan().resections) {
-    planes += static_cast<int>(resection.planes.size());
-  }
-  QString warning = shownSentence(now.warning);
-  if (planes > 1) {
-    warning =
-        tr("This plan has %1 planes: the numbers count all of them, the views show and move the first one only.").arg(planes) +
-        QStringLiteral(" ") + warning;
-  }
+  const QString warning = shownSentence(now.warning);
   warning_->setVisible(known && !warning.isEmpty());
   warning_->setText(warning);
 }

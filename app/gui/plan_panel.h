@@ -13,6 +13,8 @@ class QTreeWidget;
 namespace glisson {
 
 class BigNumber;
+class FlrCardBox;
+class PlanBar;
 class PlaneEditor;
 
 class PlanPanel : public Translated<QWidget> {
@@ -20,6 +22,7 @@ class PlanPanel : public Translated<QWidget> {
  public:
   explicit PlanPanel(Document& document, QWidget* parent = nullptr);
   [[nodiscard]] PlaneEditor& planeEditor() { return *editor_; }
+  [[nodiscard]] PlanBar& planBar() { return *bar_; }
 
  protected:
   void retranslateUi() override;
@@ -33,6 +36,7 @@ class PlanPanel : public Translated<QWidget> {
   void refreshPlacing();
 
   Document& document_;
+  PlanBar* bar_;
   BigNumber* flr_;
   BigNumber* resected_;
   BigNumber* remnant_;
@@ -44,6 +48,7 @@ class PlanPanel : public Translated<QWidget> {
   QTreeWidget* tumours_;
   QLabel* vesselsLabel_;
   QTreeWidget* vessels_;
+  FlrCardBox* card_;
 };
 
 /// The tumour whose margin decides: the smallest margin of those removed or cut, else the nearest of those left. Null where none

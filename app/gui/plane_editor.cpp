@@ -42,6 +42,7 @@ QToolButton* makeButton(QWidget* parent, const QString& name, Qt::ArrowType arro
 PlaneEditor::PlaneEditor(QWidget* parent)
     : Translated<QGroupBox>(parent),
       place_(new QPushButton(this)),
+      placeOtherwise_(makeButton(this, "placeOtherwise", Qt::DownArrow)),
       flip_(new QPushButton(this)),
       remove_(new QPushButton(this)),
       originLabel_(new QLabel(this)),
@@ -93,7 +94,12 @@ void PlaneEditor::build() {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(6, 4, 6, 6);
   grid->setVerticalSpacing(3);
-  grid->addWidget(place_, 0, 0, 1, 4);
+  auto* first = new QHBoxLayout;
+  first->setSpacing(2);
+  first->addWidget(place_, 1);
+  first->addWidget(placeOtherwise_);
+  placeOtherwise_->setPopupMode(QToolButton::InstantPopup);
+  grid->addLayout(first, 0, 0, 1, 4);
   grid->addWidget(originLabel_, 1, 0);
   grid->addWidget(normalLabel_, 2, 0);
   for (int axis = 0; axis < 3; ++axis) {
@@ -151,8 +157,12 @@ void PlaneEditor::setPlane(const std::optional<HalfSpace>& plane) {
   updateEnabled();
 }
 
+void PlaneEditor::setPlaceMenu(QMenu* menu) { placeOtherwise_->setMenu(menu); }
+
 void PlaneEditor::setPlaceRefusal(const QString& reason) {
   place_->setEnabled(reason.isEmpty());
+  placeOtherwise_->setEnabled(reason.isEmpty());
+  placeOtherwise_->setToolTip(reason.isEmpty() ? tr("Place the plane in another way") : reason);
   place_->setToolTip(reason.isEmpty() ? tr("Through the middle of the liver, edge-on as seen in the 3D view (P)") : reason);
 }
 
@@ -208,7 +218,7 @@ void PlaneEditor::updateEnabled() {
       {tilt_[0], tr("Turn left as seen in the 3D view")}, {tilt_[1], tr("Turn right as seen in the 3D view")},
       {tilt_[2], tr("Turn up as seen in the 3D view")},   {tilt_[3], tr("Turn down as seen in the 3D view")}};
   for (QWidget* control : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
-    if (control == place_ || qobject_cast<QLabel*>(control) != nullptr) {
+    if (control == place_ || control == placeOtherwise_ || qobject_cast<QLabel*>(control) != nullptr) {
       continue;
     }
     control->setEnabled(plane_.has_value());

@@ -11,6 +11,7 @@
 
 class QDoubleSpinBox;
 class QLabel;
+class QMenu;
 class QPushButton;
 class QToolButton;
 
@@ -22,6 +23,8 @@ class PlaneEditor : public Translated<QGroupBox> {
   explicit PlaneEditor(QWidget* parent = nullptr);
 
   void setPlane(const std::optional<HalfSpace>& plane);
+  /// The other ways to place it.
+  void setPlaceMenu(QMenu* menu);
   /// Why no plane can be placed now; empty: it can.
   void setPlaceRefusal(const QString& reason);
   [[nodiscard]] double moveStepMm() const;
@@ -49,6 +52,7 @@ class PlaneEditor : public Translated<QGroupBox> {
 
   std::optional<HalfSpace> plane_;
   QPushButton* place_;
+  QToolButton* placeOtherwise_;
   QPushButton* flip_;
   QPushButton* remove_;
   QLabel* originLabel_;

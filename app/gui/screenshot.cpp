@@ -4,6 +4,7 @@
 #include <QTimer>
 
 #include "app/gui/main_window.h"
+#include "app/gui/plane_placer.h"
 #include "app/gui/view_area.h"
 
 namespace glisson {
@@ -36,7 +37,7 @@ void ScreenshotTaker::proceed() {
   }
   if (placePlane_ && !document.plane()) {
     placePlane_ = false;
-    window_.placePlane();  // its numbers are computed in a job, whose end comes back here
+    window_.placer().placeAsSeen();  // its numbers are computed in a job, whose end comes back here
     return;
   }
   window_.workspaces().setCurrent(Workspace::Plan);

@@ -34,6 +34,10 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"",
      QT_TRANSLATE_NOOP("Sentence", "%1 is open in another program: it can be looked at, and changes are kept only with Save as.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The plane can be placed as soon as the liver's volumes are computed.")},
+    {"knnn",
+     QT_TRANSLATE_NOOP("Sentence",
+                       "The plane around %1 keeps at least %2 mm, takes %3 mL of functional liver and crosses %4 vessels of 3 "
+                       "mm and more.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Open a case first.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has no surface yet.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Choose a format.")},

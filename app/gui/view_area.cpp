@@ -69,6 +69,7 @@ void ViewArea::setWindowLevel(const WindowLevel& windowLevel) {
 }
 
 void ViewArea::setCrosshair(const Vec3& worldMm) {
+  crosshair_ = worldMm;
   for (SliceView* slice : slices_) {
     slice->setCrosshair(worldMm);
   }
@@ -135,10 +136,19 @@ void ViewArea::prepareMeshes() {
 }
 
 void ViewArea::showPlane() {
-  const std::optional<HalfSpace> plane = document_.plane();
-  modelView_->setPlane(plane);
+  const ChosenPlane& chosen = document_.chosen();
+  const std::vector<Resection>& resections = document_.plan().resections;
+  modelView_->setPlan(document_.plan(), {chosen.resection, chosen.plane});
+  std::vector<HalfSpace> others;
+  for (std::size_t r = 0; r < resections.size(); ++r) {
+    for (std::size_t p = 0; p < resections[r].planes.size(); ++p) {
+      if (r != chosen.resection || p != chosen.plane) {
+        others.push_back(resections[r].planes[p]);
+      }
+    }
+  }
   for (SliceView* slice : slices_) {
-    slice->setPlane(plane);
+    slice->setPlane(document_.plane(), others);
   }
 }
 

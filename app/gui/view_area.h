@@ -21,6 +21,7 @@ class ViewArea : public QWidget {
   void setWindowLevel(const WindowLevel& windowLevel);
   /// The crosshair in all slice views, mm LPS.
   void setCrosshair(const Vec3& worldMm);
+  [[nodiscard]] const Vec3& crosshair() const { return crosshair_; }
 
  signals:
   void windowLevelChanged(const glisson::WindowLevel& windowLevel);
@@ -42,6 +43,7 @@ class ViewArea : public QWidget {
   ModelView* modelView_;
   std::array<SliceView*, 3> slices_{};
   QWidget* maximised_ = nullptr;
+  Vec3 crosshair_ = Vec3::Zero();
 };
 
 }  // namespace glisson

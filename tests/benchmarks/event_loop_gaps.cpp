@@ -20,6 +20,7 @@
 
 #include "app/gui/export_panel.h"
 #include "app/gui/main_window.h"
+#include "app/gui/plane_placer.h"
 #include "app/gui/view_area.h"
 #include "app/jobs/thread_job_runner.h"
 #include "viewer/plane_handles.h"
@@ -229,7 +230,7 @@ int measure(TimedApplication& application, const QStringList& paths) {
   application.act("reconstruct", [] {});
   const bool built = runUntil([&] { return jobs.idle() && window.builder().missing() == 0; }, 600);
   rest(2000);
-  application.act("place", [&] { window.placePlane(); });
+  application.act("place", [&] { window.placer().placeAsSeen(); });
   runUntil([&] { return jobs.idle() && window.document().freshness() == Freshness::All; }, 120);
   rest(2000);
   dragPlane(application, window.views().modelView());

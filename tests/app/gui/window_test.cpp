@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -24,6 +25,7 @@
 #include "app/gui/label_dialog.h"
 #include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
+#include "app/gui/plane_placer.h"
 #include "app/gui/title_line.h"
 #include "app/gui/view_area.h"
 #include "app/jobs/thread_job_runner.h"
@@ -296,7 +298,7 @@ TEST_F(WindowTest, ThePackageIsExportedAndSound) {
   const std::vector<std::string> problems = verifyPackage(exported.front().front().toString().toStdString());
   EXPECT_TRUE(problems.empty()) << problems.front();
   EXPECT_EQ(find<QToolButton>("workspaceExport")->text(), "Export\nexported");
-  window->movePlaneBy(1);
+  window->placer().moveBy(1);
   EXPECT_EQ(find<QToolButton>("workspaceExport")->text(), "Export\nout of date") << "H5";
 }
 
@@ -423,6 +425,129 @@ TEST_F(WindowTest, ADoubleClickMaximisesAViewAndRestores) {
   EXPECT_GT(axial->width(), before * 3 / 2);
   emit axial->maximiseRequested();
   EXPECT_TRUE(window->views().modelView().isVisible());
+}
+
+TEST_F(WindowTest, APlanIsDuplicatedEditedAndUndoneWithItsOwnNumbers) {
+  openSmallWithPlane();
+  const double first = document().assessment().resectedMl;
+  find<QAction>("actionDuplicatePlan")->trigger();
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(document().content().plans.size(), 2U);
+  EXPECT_EQ(document().chosen().plan, 1U);
+  EXPECT_EQ(find<QComboBox>("planChoice")->currentText(), "Plan 1 copy");
+  window->placer().moveBy(5);
+  ASSERT_TRUE(settle());
+  EXPECT_LT(document().assessment().resectedMl, first);
+  document().choose({0, 0, 0});
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(document().assessment().resectedMl, first);
+  document().undoStack().undo();  // shows the plan whose plane it moves back
+  EXPECT_EQ(document().chosen().plan, 1U);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(document().assessment().resectedMl, first);
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: duplicate plan");
+}
+
+TEST_F(WindowTest, AWedgeOfTwoPlanesTakesLessThanEachAndBothCanBeChosen) {
+  openSmallWithPlane();
+  const double half = document().assessment().resectedMl;
+  window->views().modelView().setStandardView(ModelView::StandardView::Left);
+  find<QAction>("actionAddPlane")->trigger();
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(document().plan().resections.front().planes.size(), 2U);
+  EXPECT_EQ(document().chosen(), (ChosenPlane{0, 0, 1}));
+  EXPECT_NEAR(document().assessment().resectedMl, half / 2, 0.1 * half);
+  auto* planes = find<QComboBox>("planeChoice");
+  ASSERT_EQ(planes->count(), 2);
+  EXPECT_EQ(planes->itemText(1), "Resection 1, plane 2");
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: add plane");
+  document().choose({0, 0, 0});
+  EXPECT_EQ(document().plane()->normal, document().plan().resections[0].planes[0].normal);
+  document().removePlane();
+  EXPECT_EQ(document().plan().resections.front().planes.size(), 1U);
+}
+
+TEST_F(WindowTest, APlaneIsPlacedAlongASliceThroughTheCrosshair) {
+  openSmall();
+  window->views().setCrosshair(smallCentre() + Vec3(0, 0, 3));
+  find<QAction>("placeAxial")->trigger();
+  ASSERT_TRUE(document().plane().has_value());
+  EXPECT_NEAR(std::abs(document().plane()->normal.z()), 1, 1e-12);
+  EXPECT_NEAR(document().plane()->origin.z(), smallCentre().z() + 3, 1e-9);
+}
+
+TEST_F(WindowTest, ALineDrawnUpwardsInTheViewResectsTheRightOfThePicture) {
+  openSmall();
+  find<QAction>("placeAlongLine")->trigger();
+  ModelView& view = window->views().modelView();
+  ASSERT_TRUE(view.picking());
+  const QPoint middle = view.rect().center();
+  QTest::mousePress(&view, Qt::LeftButton, {}, middle + QPoint(0, 80));
+  QTest::mouseMove(&view, middle);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, middle - QPoint(0, 80));
+  EXPECT_FALSE(view.picking());
+  ASSERT_TRUE(document().plane().has_value());
+  // from anterior the patient's left is on the picture's right
+  EXPECT_GT(document().plane()->normal.x(), 0.99);
+  ASSERT_TRUE(settle());
+  EXPECT_NEAR(document().assessment().resectedMl / document().assessment().totalMl, 0.5, 0.1);
+}
+
+TEST_F(WindowTest, ThreeClicksOnTheModelGiveThePlaneThroughThemAndEscapeGivesUp) {
+  openSmall();
+  ModelView& view = window->views().modelView();
+  find<QAction>("placeThroughPoints")->trigger();
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_FALSE(view.picking());
+  EXPECT_FALSE(document().plane().has_value());
+  find<QAction>("placeThroughPoints")->trigger();
+  const QPoint middle = view.rect().center();
+  std::vector<Vec3> points;
+  for (const QPoint& at : {middle, middle + QPoint(15, 0), middle + QPoint(0, 15)}) {
+    const std::optional<Vec3> point = view.surfaceAt({at.x(), at.y()});
+    ASSERT_TRUE(point.has_value());
+    points.push_back(*point);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+  }
+  ASSERT_TRUE(document().plane().has_value());
+  for (const Vec3& point : points) {
+    EXPECT_NEAR(document().plane()->normal.dot(point - document().plane()->origin), 0, 0.2);
+  }
+}
+
+TEST_F(WindowTest, ThePlaneAroundATumourKeepsTheMarginAndSaysWhatItIgnores) {
+  openSmall();
+  find<QDoubleSpinBox>("safetyMargin")->setValue(3);
+  EXPECT_EQ(document().plan().safetyMarginMm, 3);
+  auto* tumours = find<QMenu>("placeAroundTumour");
+  ASSERT_EQ(tumours->actions().size(), 1);
+  tumours->actions().front()->trigger();
+  ASSERT_TRUE(waitFor([&] { return document().plane().has_value(); }));
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(document().assessment().tumours.size(), 1U);
+  EXPECT_EQ(document().assessment().tumours.front().state, TumourState::Removed);
+  EXPECT_GE(document().assessment().tumours.front().marginAtLeastMm.value(), 3.0);
+  ASSERT_FALSE(window->messages().messages().isEmpty());
+  EXPECT_NE(window->messages().messages().last().indexOf("ignores inflow"), -1);
+}
+
+TEST_F(WindowTest, TheFlrCardShowsAThresholdOnlyWithAllFactsAndUndoTakesThemBack) {
+  openSmallWithPlane();
+  auto* text = find<QLabel>("flrCardText");
+  EXPECT_FALSE(text->text().contains("Kishi"));
+  find<QDoubleSpinBox>("patientHeight")->setValue(175);
+  find<QDoubleSpinBox>("patientWeight")->setValue(75);
+  EXPECT_FALSE(text->text().contains("Kishi"));
+  auto* condition = find<QComboBox>("liverCondition");
+  condition->setCurrentIndex(1);
+  emit condition->activated(1);
+  EXPECT_TRUE(text->text().contains("Kishi 2009: 20"));
+  EXPECT_EQ(document().content().patient.heightCm, 175);
+  document().undoStack().undo();
+  EXPECT_FALSE(text->text().contains("Kishi"));
+  EXPECT_EQ(condition->currentIndex(), 0);
+  document().flush();
+  EXPECT_EQ(CaseFile::open(document().path()).load().patient.weightKg, 75);
 }
 
 }  // namespace

@@ -1,0 +1,177 @@
+// The part of the document that edits plans.
+
+#include "app/gui/document.h"
+#include "app/gui/edit_commands.h"
+#include "planning/resection/plan_list.h"
+
+namespace glisson {
+
+namespace {
+
+/// The nearest place that exists.
+ChosenPlane existing(const std::vector<ResectionPlan>& plans, ChosenPlane chosen) {
+  const auto within = [](std::size_t place, std::size_t size) { return size == 0 ? 0 : std::min(place, size - 1); };
+  chosen.plan = within(chosen.plan, plans.size());
+  if (plans.empty() || plans[chosen.plan].resections.empty()) {
+    return {chosen.plan, 0, 0};
+  }
+  const std::vector<Resection>& resections = plans[chosen.plan].resections;
+  chosen.resection = within(chosen.resection, resections.size());
+  chosen.plane = within(chosen.plane, resections[chosen.resection].planes.size());
+  return chosen;
+}
+
+}  // namespace
+
+const ResectionPlan& Document::plan() const {
+  static const ResectionPlan kNone;
+  return chosen_.plan < case_.plans.size() ? case_.plans[chosen_.plan] : kNone;
+}
+
+std::optional<HalfSpace> Document::plane() const {
+  const std::vector<Resection>& resections = plan().resections;
+  if (chosen_.resection >= resections.size() || chosen_.plane >= resections[chosen_.resection].planes.size()) {
+    return std::nullopt;
+  }
+  return resections[chosen_.resection].planes[chosen_.plane];
+}
+
+void Document::choose(const ChosenPlane& chosen) {
+  const ChosenPlane next = existing(case_.plans, chosen);
+  if (next == chosen_) {
+    return;
+  }
+  const bool otherPlan = next.plan != chosen_.plan;
+  chosen_ = next;
+  emit planChanged();
+  if (otherPlan) {
+    assessVolumes();
+    assessAll();
+  }
+}
+
+std::vector<ResectionPlan> Document::plansWithPlane(const HalfSpace& plane) const {
+  std::vector<ResectionPlan> plans = case_.plans;
+  if (plans.empty()) {
+    plans.push_back({.name = "Plan 1", .resections = {}});
+  }
+  ResectionPlan& current = plans[chosen_.plan];
+  if (this->plane()) {
+    current = apply(current, {.resection = chosen_.resection, .plane = chosen_.plane, .to = plane});
+  } else {
+    current = apply(current, PlanEdit(AddResection{{.name = {}, .planes = {plane}}}));
+  }
+  return plans;
+}
+
+void Document::pushPlans(const QString& name, std::vector<ResectionPlan> plans, const ChosenPlane& chosen) {
+  const ChosenPlane after = existing(plans, chosen);
+  undo_.push(new PlansCommand(*this, name, {case_.plans, chosen_}, {std::move(plans), after}));
+}
+
+void Document::placePlane(const HalfSpace& plane) {
+  pushPlans(QString::fromLatin1(QT_TR_NOOP("place plane")), plansWithPlane(plane), chosen_);
+}
+
+void Document::movePlane(const HalfSpace& plane) {
+  if (this->plane()) {
+    edit(MovePlane{chosen_.resection, chosen_.plane, plane});
+  }
+}
+
+void Document::removePlane() {
+  if (plane()) {
+    edit(RemovePlane{chosen_.resection, chosen_.plane});
+  }
+}
+
+void Document::edit(const PlanEdit& edit) {
+  std::vector<ResectionPlan> plans = case_.plans;
+  if (chosen_.plan >= plans.size()) {
+    return;
+  }
+  ResectionPlan& current = plans[chosen_.plan];
+  const QString name = QString::fromStdString(nameOf(current, edit));
+  current = apply(current, edit);
+  ChosenPlane chosen = chosen_;
+  if (std::holds_alternative<AddResection>(edit.what)) {
+    chosen = {chosen.plan, current.resections.size() - 1, 0};
+  } else if (const auto* added = std::get_if<AddPlane>(&edit.what)) {
+    chosen = {chosen.plan, added->resection, current.resections[added->resection].planes.size() - 1};
+  }
+  pushPlans(name, std::move(plans), chosen);
+}
+
+void Document::addPlan() {
+  std::vector<ResectionPlan> plans = withNew(case_.plans);
+  const std::size_t last = plans.size() - 1;
+  pushPlans(QString::fromLatin1(QT_TR_NOOP("new plan")), std::move(plans), {last, 0, 0});
+}
+
+void Document::duplicatePlan() {
+  pushPlans(QString::fromLatin1(QT_TR_NOOP("duplicate plan")), withDuplicate(case_.plans, chosen_.plan),
+            {chosen_.plan + 1, chosen_.resection, chosen_.plane});
+}
+
+void Document::renamePlan(const std::string& name) {
+  if (name != plan().name) {
+    pushPlans(QString::fromLatin1(QT_TR_NOOP("rename plan")), withRenamed(case_.plans, chosen_.plan, name), chosen_);
+  }
+}
+
+void Document::removePlan() {
+  pushPlans(QString::fromLatin1(QT_TR_NOOP("delete plan")), without(case_.plans, chosen_.plan), {chosen_.plan, 0, 0});
+}
+
+void Document::beginDrag() { beforeDrag_ = case_.plans; }
+
+void Document::dragTo(const HalfSpace& plane) {
+  if (!beforeDrag_) {
+    beginDrag();
+  }
+  case_.plans = plansWithPlane(plane);
+  emit planChanged();
+  assessVolumes();
+}
+
+void Document::endDrag(const HalfSpace& plane) {
+  if (!beforeDrag_) {
+    return;
+  }
+  case_.plans = std::move(*beforeDrag_);
+  beforeDrag_.reset();
+  const std::optional<HalfSpace> from = this->plane();
+  if (from && from->origin == plane.origin && from->normal == plane.normal) {
+    setPlans(case_.plans, chosen_);  // a click on a handle moves nothing and is no step
+    return;
+  }
+  from ? movePlane(plane) : placePlane(plane);
+}
+
+void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen) {
+  case_.plans = std::move(plans);
+  chosen_ = existing(case_.plans, chosen);
+  if (!readOnly_) {
+    store_.storePlans(case_.plans);
+  }
+  emit planChanged();
+  assessVolumes();
+  assessAll();
+}
+
+void Document::setPatient(const PatientFacts& facts) {
+  validate(facts);
+  if (!(facts == case_.patient)) {
+    undo_.push(new PatientCommand(*this, QString::fromLatin1(QT_TR_NOOP("change patient facts")), case_.patient, facts));
+  }
+}
+
+void Document::storePatient(const PatientFacts& facts) {
+  case_.patient = facts;
+  if (!readOnly_) {
+    store_.storePatient(facts);
+  }
+  emit patientChanged();
+}
+
+}  // namespace glisson
