@@ -2574,6 +2574,89 @@
     </message>
 </context>
 <context>
+    <name>glisson::CompareWindow</name>
+    <message>
+        <source>Resections</source>
+        <translation>Resektionen</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Safety margin</source>
+        <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Resected</source>
+        <translation>Reseziert</translation>
+    </message>
+    <message>
+        <source>Remnant</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Functional remnant (FLR)</source>
+        <translation>Funktioneller Rest (FLR)</translation>
+    </message>
+    <message>
+        <source>FLR of the functional liver</source>
+        <translation>FLR der funktionellen Leber</translation>
+    </message>
+    <message>
+        <source>Area of the cut</source>
+        <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <source>Tumours removed</source>
+        <translation>Tumoren entfernt</translation>
+    </message>
+    <message>
+        <source>Tumours cut</source>
+        <translation>Tumoren angeschnitten</translation>
+    </message>
+    <message>
+        <source>Tumours left</source>
+        <translation>Tumoren belassen</translation>
+    </message>
+    <message>
+        <source>Least margin, at least</source>
+        <translation>Kleinster Abstand, mindestens</translation>
+    </message>
+    <message>
+        <source>Vessels of 3 mm and more crossed</source>
+        <translation>Gekreuzte Gefäße ab 3 mm</translation>
+    </message>
+    <message>
+        <source>Compare plans</source>
+        <translation>Pläne vergleichen</translation>
+    </message>
+    <message>
+        <source>Plans compared</source>
+        <translation>Verglichene Pläne</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Two to four plans are compared.</source>
+        <translation>Zwei bis vier Pläne werden verglichen.</translation>
+    </message>
+    <message>
+        <source>Out of date until the plane rests</source>
+        <translation>Veraltet, bis die Ebene ruht</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größter</translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation>kleinster</translation>
+    </message>
+</context>
+<context>
     <name>glisson::Document</name>
     <message>
         <source>place plane</source>
@@ -2614,6 +2697,10 @@
     <message>
         <source>Margins</source>
         <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Numbers of all plans</source>
+        <translation>Zahlen aller Pläne</translation>
     </message>
 </context>
 <context>
@@ -3296,6 +3383,14 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>Name of the plan:</source>
         <translation>Name des Plans:</translation>
     </message>
+    <message>
+        <source>Compare plans...</source>
+        <translation>Pläne vergleichen...</translation>
+    </message>
+    <message>
+        <source>Duplicate this plan or make a new one first.</source>
+        <translation>Duplizieren Sie erst diesen Plan oder legen Sie einen neuen an.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::PlanPanel</name>
@@ -3516,6 +3611,29 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Plane around a tumour</source>
         <translation>Ebene um einen Tumor</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::Resectogram</name>
+    <message>
+        <source>Resection surface, laid flat</source>
+        <translation>Resektionsfläche, flach ausgebreitet</translation>
+    </message>
+    <message>
+        <source>Cut, from the resected side</source>
+        <translation>Schnitt, von der resezierten Seite</translation>
+    </message>
+    <message>
+        <source>under %1 mm to a tumour</source>
+        <translation>unter %1 mm zu einem Tumor</translation>
+    </message>
+    <message>
+        <source>perhaps under %1 mm</source>
+        <translation>vielleicht unter %1 mm</translation>
+    </message>
+    <message>
+        <source>Lines: every %1 mm</source>
+        <translation>Linien: alle %1 mm</translation>
     </message>
 </context>
 <context>

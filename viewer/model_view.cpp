@@ -29,6 +29,7 @@ ModelView::ModelView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
   d.scene.renderer->SetBackground(0.11, 0.12, 0.14);
   d.makeCube();
   d.pickOverlay = new PickOverlay(this);
+  d.resectogram = new Resectogram(this);
   d.planeActors.setVisible(false);
   d.planeActors.setLabel(tr("resected").toStdString());
   d.scene.beforeFrame = [this](FrameQuality quality) { impl_->prepareFrame(quality); };
@@ -61,9 +62,10 @@ namespace {
 bool same(const HalfSpace& a, const HalfSpace& b) { return a.origin == b.origin && a.normal == b.normal; }
 
 bool same(const ResectionPlan& a, const ResectionPlan& b) {
-  return std::ranges::equal(a.resections, b.resections, [](const Resection& x, const Resection& y) {
-    return std::ranges::equal(x.planes, y.planes, [](const HalfSpace& p, const HalfSpace& q) { return same(p, q); });
-  });
+  return a.safetyMarginMm == b.safetyMarginMm &&
+         std::ranges::equal(a.resections, b.resections, [](const Resection& x, const Resection& y) {
+           return std::ranges::equal(x.planes, y.planes, [](const HalfSpace& p, const HalfSpace& q) { return same(p, q); });
+         });
 }
 
 std::vector<std::size_t> shapeOf(const ResectionPlan& plan) {
@@ -92,12 +94,18 @@ void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
   if (!d.plane) {
     d.drag.reset();
     d.hovered.reset();
+    d.resectogram->setMap(std::nullopt, {});
   }
   for (const auto& [id, actors] : d.structures) {
     actors->setPlan(d.plan);
   }
   d.sectionStale = true;
   d.scene.touch();
+  requestRender();
+}
+
+void ModelView::setHandlesShown(bool shown) {
+  impl_->handlesShown = shown;
   requestRender();
 }
 
@@ -117,6 +125,18 @@ std::optional<HalfSpace> ModelView::plane() const { return impl_->plane; }
 void ModelView::resizeGL(int width, int height) {
   VtkWidget::resizeGL(width, height);
   impl_->fitAgain();
+  impl_->placeResectogram();
+}
+
+void ModelView::setMarginLine(const std::optional<std::pair<Vec3, Vec3>>& line, bool tooShort) {
+  impl_->planeActors.setMarginLine(line, tooShort);
+  requestRender();
+}
+
+void ModelView::setTumours(std::shared_ptr<const TumourDistance> tumours) {
+  impl_->tumours = std::move(tumours);
+  impl_->sectionStale = true;
+  requestRender();
 }
 
 void ModelView::setStandardView(StandardView view) {
@@ -139,6 +159,26 @@ void ModelView::setStandardView(StandardView view) {
 Vec3 ModelView::viewDirection() const { return camera().forward; }
 
 Vec3 ModelView::viewUp() const { return camera().up; }
+
+ModelView::Pose ModelView::pose() const {
+  vtkCamera* vtk = impl_->scene.renderer->GetActiveCamera();
+  return {toVec3(vtk->GetPosition()), toVec3(vtk->GetFocalPoint()), toVec3(vtk->GetViewUp())};
+}
+
+void ModelView::setPose(const Pose& pose) {
+  Impl& d = *impl_;
+  if (pose == this->pose()) {
+    return;
+  }
+  vtkCamera* vtk = d.scene.renderer->GetActiveCamera();
+  vtk->SetPosition(pose.position.data());
+  vtk->SetFocalPoint(pose.focus.data());
+  vtk->SetViewUp(pose.up.data());
+  d.told = this->pose();
+  d.scene.cameraByHand = true;
+  d.scene.touch();
+  requestRender();
+}
 
 ViewCamera ModelView::camera() const {
   vtkCamera* vtk = impl_->scene.renderer->GetActiveCamera();
@@ -232,7 +272,7 @@ void ModelView::mousePressEvent(QMouseEvent* event) {
     }
     return;
   }
-  if (event->button() == Qt::LeftButton && d.plane && event->modifiers() == Qt::NoModifier) {
+  if (event->button() == Qt::LeftButton && d.plane && d.handlesShown && event->modifiers() == Qt::NoModifier) {
     const Pixel mouse(event->position().x(), event->position().y());
     const HandleLayout layout = *handles();
     if (const auto handle = handleAt(layout, camera(), mouse)) {
@@ -265,7 +305,7 @@ void ModelView::mouseMoveEvent(QMouseEvent* event) {
     emit planeDragged(moved);
     return;
   }
-  if (d.plane && event->buttons() == Qt::NoButton) {
+  if (d.plane && d.handlesShown && event->buttons() == Qt::NoButton) {
     const auto handle = handleAt(*handles(), camera(), mouse);
     if (handle != d.hovered) {
       d.hovered = handle;
@@ -335,7 +375,7 @@ void ModelView::stepPlane(const HalfSpace& to) {
 
 bool ModelView::movePlaneByKey(const QKeyEvent& event) {
   Impl& d = *impl_;
-  if (!d.plane || d.drag) {
+  if (!d.plane || !d.handlesShown || d.drag) {
     return false;
   }
   const bool control = event.modifiers().testFlag(Qt::ControlModifier);

@@ -10,6 +10,7 @@
 
 #include "planning/case/liver_model.h"
 #include "planning/resection/resection_plan.h"
+#include "planning/volumetry/tumour_distance.h"
 #include "viewer/display_mesh.h"
 #include "viewer/pick_tool.h"
 #include "viewer/view_camera.h"
@@ -39,15 +40,31 @@ class ModelView : public VtkWidget {
   /// The plan's planes, drawn only inside the parenchyma's mesh and where they bound their resection, the two sides told apart
   /// (what is resected is tinted and labelled); the chosen plane has grid and handles, which nothing hides. Emits no signal.
   void setPlan(ResectionPlan plan, const PlaneChoice& choice = {});
+  /// Without handles planes are only looked at. With them is the default.
+  void setHandlesShown(bool shown);
   /// Moves the chosen plane; makes a plan of one plane where there is none; nothing: an empty plan.
   void setPlane(const std::optional<HalfSpace>& plane);
   [[nodiscard]] std::optional<HalfSpace> plane() const;
+
+  /// What the resection surface is coloured by; null: it stays plain.
+  void setTumours(std::shared_ptr<const TumourDistance> tumours);
+  /// The shortest way from the tumour that decides to the resection surface; red where it is too short.
+  void setMarginLine(const std::optional<std::pair<Vec3, Vec3>>& line, bool tooShort);
 
   enum class StandardView { Anterior, Posterior, Left, Right, Superior, Inferior };
   void setStandardView(StandardView view);
   /// Unit vectors, mm LPS: where the camera looks and its up. For planeFromCamera().
   [[nodiscard]] Vec3 viewDirection() const;
   [[nodiscard]] Vec3 viewUp() const;
+  /// Where the camera stands, to be shared with another view of the same model; emits no signal.
+  struct Pose {
+    Vec3 position = Vec3::Zero();
+    Vec3 focus = Vec3::Zero();
+    Vec3 up = Vec3::UnitZ();
+    bool operator==(const Pose&) const = default;
+  };
+  [[nodiscard]] Pose pose() const;
+  void setPose(const Pose& pose);
   /// The camera as numbers: world mm LPS <-> logical pixels of this widget.
   [[nodiscard]] ViewCamera camera() const;
   /// Where the plane's handles are now; nothing without a plane.
@@ -66,6 +83,8 @@ class ModelView : public VtkWidget {
   void planeDragStarted();
   void planeDragged(const glisson::HalfSpace& plane);
   void planeDragFinished(const glisson::HalfSpace& plane);
+  /// By the user or by a standard view, once a frame.
+  void cameraMoved();
   void picked(const glisson::Pick& pick);
   void pickCancelled();
   /// Double click: the layout maximises this view or restores.

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double kFilled = 0.86;                 ///< share of the view the model fills
 constexpr std::size_t kUploadTriangles = 60000;  ///< new ones of one resting frame, unless a single mesh is larger
+constexpr double kCoarseStepMm = 3;              ///< of the margin colours while the plane moves
+constexpr double kFineStepMm = 1.5;
+constexpr int kCoarsePixels = 3;
+constexpr int kFinePixels = 4;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 void growBy(Eigen::AlignedBox3d& box, vtkRenderer* renderer) {
@@ -95,26 +99,63 @@ void ModelView::Impl::showPlan() {
   }
 }
 
+ResectionMap ModelView::Impl::mapOf(std::size_t resection, std::size_t index, bool coarse) const {
+  ResectionMap map;
+  const std::vector<HalfSpace>& planes = plan.resections[resection].planes;
+  map.plane = planes[index];
+  map.safetyMarginMm = plan.safetyMarginMm;
+  map.within = planes;
+  map.within.erase(map.within.begin() + static_cast<std::ptrdiff_t>(index));
+  const auto loopsOf = [&](const StructureActors& actors) {
+    return sectionLoops(coarse ? actors.coarseMesh() : actors.mesh(), map.plane);
+  };
+  if (const auto liver = structures.find(parenchyma); liver != structures.end()) {
+    map.outline = loopsOf(*liver->second);
+  }
+  if (map.outline.empty()) {
+    return map;
+  }
+  if (tumours != nullptr && !tumours->empty()) {
+    map.margins = marginMap(*tumours, gridOver(map.outline, map.plane, coarse ? kCoarseStepMm : kFineStepMm),
+                            std::max(kFarthestMm, plan.safetyMarginMm + kIsoLineMm));
+  }
+  for (const Structure& structure : model->structures) {
+    const auto actors = isVessel(structure.kind) ? structures.find(structure.id) : structures.end();
+    if (actors == structures.end() || !actors->second->visible()) {
+      continue;
+    }
+    for (Loop& loop : loopsOf(*actors->second)) {
+      if (isInside(map.outline, map.plane, loop.front())) {
+        map.vessels.emplace_back(structure.colour, std::move(loop));
+      }
+    }
+  }
+  return map;
+}
+
+void ModelView::Impl::placeResectogram() {
+  constexpr int kGap = 6;
+  const QSize size = resectogram->sizeHint().boundedTo(QSize(view->width() / 2, view->height() / 2));
+  resectogram->setGeometry(view->width() - size.width() - kGap, view->height() - size.height() - kGap, size.width(), size.height());
+}
+
 /// The sections through the parenchyma; the coarse stand-in while the plane moves.
 void ModelView::Impl::updateSection(bool coarse) {
   if (!plane || !(sectionStale || (sectionIsCoarse && !coarse))) {
     return;
   }
-  const auto found = structures.find(parenchyma);
   section.clear();
   std::size_t drawn = 0;
   for (std::size_t r = 0; r < plan.resections.size(); ++r) {
     const std::vector<HalfSpace>& planes = plan.resections[r].planes;
     for (std::size_t p = 0; p < planes.size(); ++p, ++drawn) {
-      std::vector<Loop> loops;
-      if (found != structures.end()) {
-        loops = sectionLoops(coarse ? found->second->coarseMesh() : found->second->mesh(), planes[p]);
-      }
-      std::vector<HalfSpace> within = planes;
-      within.erase(within.begin() + static_cast<std::ptrdiff_t>(p));
-      sections[drawn]->setSection(planes[p], loops, within);
+      ResectionMap map = mapOf(r, p, coarse);
+      const QImage margins =
+          map.margins ? marginPicture(*map.margins, map.safetyMarginMm, coarse ? kCoarsePixels : kFinePixels) : QImage();
+      sections[drawn]->setSection(map, margins);
       if (r == choice.resection && p == choice.plane) {
-        section = std::move(loops);
+        section = map.outline;
+        resectogram->setMap(std::move(map), margins);
       }
     }
   }
@@ -152,10 +193,15 @@ FramePlan ModelView::Impl::planFrame(FrameQuality quality) {
 
 void ModelView::Impl::prepareFrame(FrameQuality quality) {
   scene.use(planFrame(quality));
-  planeActors.setVisible(plane.has_value());
+  planeActors.setVisible(plane.has_value() && handlesShown);
   if (plane) {
     updateSection(quality == FrameQuality::Moving);
     planeActors.placeHandles(*plane, layout(), drag ? std::optional(drag->handle()) : hovered);
+  }
+  if (const Pose now = view->pose(); now != told) {
+    told = now;
+    // not from within a frame: other views answer with frames of their own
+    QMetaObject::invokeMethod(view, &ModelView::cameraMoved, Qt::QueuedConnection);
   }
   Eigen::AlignedBox3d box;
   growBy(box, scene.renderer);

@@ -14,6 +14,7 @@
 #include "viewer/model_view.h"
 #include "viewer/pick_overlay.h"
 #include "viewer/plane_actors.h"
+#include "viewer/resectogram.h"
 #include "viewer/section_actors.h"
 #include "viewer/structure_actors.h"
 #include "viewer/vtk_scene.h"
@@ -41,7 +42,11 @@ struct ModelView::Impl {
   Vec3 anchor = Vec3::Zero();
   std::optional<PlaneDrag> drag;
   std::optional<PlaneHandle> hovered;
+  bool handlesShown = true;
   std::optional<PickTool> pick;
+  Pose told;  ///< what cameraMoved() was last about
+  std::shared_ptr<const TumourDistance> tumours;
+  Resectogram* resectogram = nullptr;  ///< a child of the view
   PickOverlay* pickOverlay = nullptr;  ///< a child of the view
   Vec3 placedDirection = Vec3::UnitY();
   Vec3 placedUp = Vec3::UnitZ();
@@ -50,6 +55,8 @@ struct ModelView::Impl {
   /// Shows the structures of `model`; true where none of those shown before is left (a new patient).
   bool showStructures(const std::vector<std::shared_ptr<const DisplayMesh>>& ready);
   void updateSection(bool coarse);
+  [[nodiscard]] ResectionMap mapOf(std::size_t resection, std::size_t plane, bool coarse) const;
+  void placeResectogram();
   /// Makes the drawing of each plane anew where their number or the choice has changed.
   void showPlan();
   void prepareFrame(FrameQuality quality);

@@ -3,6 +3,7 @@
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkBillboardTextActor3D.h>
+#include <vtkLineSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
@@ -22,6 +23,8 @@ struct Colour {
 };
 constexpr Colour kHandle{0.95, 0.75, 0.25};
 constexpr Colour kHighlight{1.0, 1.0, 0.85};
+constexpr Colour kTooShort{1.0, 0.1, 0.1};
+constexpr Colour kEnough{1.0, 1.0, 1.0};
 constexpr double kTiltScale = 0.75;
 
 void setColour(vtkActor* actor, const Colour& colour) { actor->GetProperty()->SetColor(colour.r, colour.g, colour.b); }
@@ -36,6 +39,10 @@ struct PlaneActors::Impl {
   vtkNew<vtkActor> centreActor, arrowActor;
   std::array<vtkNew<vtkActor>, 4> tiltActors;
   vtkNew<vtkBillboardTextActor3D> label;
+  vtkNew<vtkLineSource> line;
+  vtkNew<vtkPolyDataMapper> lineMapper;
+  vtkNew<vtkActor> lineActor;
+  bool hasLine = false;
 
   [[nodiscard]] std::vector<vtkProp*> overlayProps() const {
     std::vector<vtkProp*> props{centreActor, arrowActor, label};
@@ -50,6 +57,12 @@ PlaneActors::PlaneActors(vtkRenderer* overlay) : impl_(std::make_unique<Impl>())
   Impl& d = *impl_;
   d.overlay = overlay;
 
+  d.lineMapper->SetInputConnection(d.line->GetOutputPort());
+  d.lineActor->SetMapper(d.lineMapper);
+  d.lineActor->GetProperty()->SetLineWidth(3);
+  d.lineActor->GetProperty()->LightingOff();
+  d.lineActor->SetVisibility(false);
+  overlay->AddActor(d.lineActor);
   d.sphere->SetThetaResolution(24);
   d.sphere->SetPhiResolution(16);
   d.sphere->SetRadius(1);
@@ -78,6 +91,7 @@ PlaneActors::PlaneActors(vtkRenderer* overlay) : impl_(std::make_unique<Impl>())
 }
 
 PlaneActors::~PlaneActors() {
+  impl_->overlay->RemoveActor(impl_->lineActor);
   for (vtkProp* prop : impl_->overlayProps()) {
     impl_->overlay->RemoveViewProp(prop);
   }
@@ -87,6 +101,7 @@ void PlaneActors::setVisible(bool visible) {
   for (vtkProp* prop : impl_->overlayProps()) {
     prop->SetVisibility(visible);
   }
+  impl_->lineActor->SetVisibility(visible && impl_->hasLine);
 }
 
 void PlaneActors::placeHandles(const HalfSpace& plane, const HandleLayout& layout, std::optional<PlaneHandle> highlighted) {
@@ -117,6 +132,17 @@ void PlaneActors::placeHandles(const HalfSpace& plane, const HandleLayout& layou
   d.arrowActor->SetUserMatrix(pose);
   setColour(d.arrowActor, colourOf(PlaneHandle::Normal));
   d.label->SetPosition(layout.label.x(), layout.label.y(), layout.label.z());
+}
+
+void PlaneActors::setMarginLine(const std::optional<std::pair<Vec3, Vec3>>& line, bool tooShort) {
+  Impl& d = *impl_;
+  d.hasLine = line.has_value();
+  d.lineActor->SetVisibility(d.hasLine && d.centreActor->GetVisibility() != 0);
+  if (line) {
+    d.line->SetPoint1(line->first.x(), line->first.y(), line->first.z());
+    d.line->SetPoint2(line->second.x(), line->second.y(), line->second.z());
+    setColour(d.lineActor, tooShort ? kTooShort : kEnough);
+  }
 }
 
 void PlaneActors::setLabel(const std::string& text) { impl_->label->SetInput(text.c_str()); }

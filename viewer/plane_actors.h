@@ -1,10 +1,11 @@
 #pragma once
-// Purpose: the handles of the plane that is worked on and the word at its arrow, in the overlay, where nothing hides them. Frame:
-// mm LPS.
+// Purpose: the handles of the plane that is worked on, the word at its arrow, and the line of the margin that decides, in the
+// overlay, where nothing hides them. Frame: mm LPS.
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "viewer/plane_handles.h"
 
@@ -19,6 +20,8 @@ class PlaneActors {
 
   void setVisible(bool visible);
   void placeHandles(const HalfSpace& plane, const HandleLayout& layout, std::optional<PlaneHandle> highlighted);
+  /// Red where it is too short, else white; drawn while the plane is visible.
+  void setMarginLine(const std::optional<std::pair<Vec3, Vec3>>& line, bool tooShort);
   /// The word at the arrow's tip, UTF-8: the side the arrow points to.
   void setLabel(const std::string& text);
 

@@ -2,15 +2,24 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkContourTriangulator.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QPainter>
+#include <algorithm>
 
 namespace glisson {
 
@@ -43,12 +52,38 @@ struct Drawable {
 
 vtkIdType addPoint(vtkPoints* points, const Vec3& at) { return points->InsertNextPoint(at.x(), at.y(), at.z()); }
 
+void addLoop(vtkPoints* points, vtkCellArray* lines, const Loop& loop) {
+  lines->InsertNextCell(static_cast<int>(loop.size()) + 1);
+  const vtkIdType first = points->GetNumberOfPoints();
+  for (const Vec3& point : loop) {
+    lines->InsertCellPoint(addPoint(points, point));
+  }
+  lines->InsertCellPoint(first);
+}
+
+/// RGBA, not premultiplied, from the bottom row up, as VTK wants it: the picture's row 0 is the grid's, so nothing is turned over.
+vtkSmartPointer<vtkImageData> toImageData(const QImage& picture) {
+  const QImage plain = picture.convertToFormat(QImage::Format_RGBA8888);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(plain.width(), plain.height(), 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* out = static_cast<std::uint8_t*>(image->GetScalarPointer());
+  const auto bytes = static_cast<std::size_t>(plain.width()) * 4;
+  for (int row = 0; row < plain.height(); ++row, out += bytes) {
+    std::copy_n(plain.constScanLine(row), bytes, out);
+  }
+  return image;
+}
+
 }  // namespace
 
 struct SectionActors::Impl {
   vtkRenderer* model = nullptr;
   vtkRenderer* overlay = nullptr;
-  Drawable fill, grid, outline;
+  Drawable fill, colours, grid, outline, vessels;
+  vtkNew<vtkTexture> texture;
+  double opacity = 1;  ///< of the fill
+  std::vector<Drawable*> all{&fill, &colours, &grid, &outline, &vessels};
 };
 
 SectionActors::SectionActors(vtkRenderer* model, vtkRenderer* overlay, bool strong) : impl_(std::make_unique<Impl>()) {
@@ -56,35 +91,40 @@ SectionActors::SectionActors(vtkRenderer* model, vtkRenderer* overlay, bool stro
   d.model = model;
   d.overlay = overlay;
   d.fill.init(model, kFill);
-  d.fill.actor->GetProperty()->SetOpacity(strong ? kFillOpacity : kWeakOpacity);
+  d.opacity = strong ? kFillOpacity : kWeakOpacity;
+  d.fill.actor->GetProperty()->SetOpacity(d.opacity);
+  d.colours.init(model, kOutline);
+  d.colours.actor->SetTexture(d.texture);
+  d.colours.actor->ForceTranslucentOn();
+  d.texture->InterpolateOn();
   d.grid.init(model, kGrid);
-  d.grid.actor->SetVisibility(strong);
   d.outline.init(overlay, kOutline);
   d.outline.actor->GetProperty()->SetLineWidth(strong ? 2 : 1);
+  d.vessels.init(overlay, kOutline);
+  d.vessels.mapper->ScalarVisibilityOn();
+  d.vessels.actor->GetProperty()->SetLineWidth(2);
 }
 
 SectionActors::~SectionActors() {
-  impl_->model->RemoveActor(impl_->fill.actor);
-  impl_->model->RemoveActor(impl_->grid.actor);
-  impl_->overlay->RemoveActor(impl_->outline.actor);
+  for (Drawable* part : {&impl_->fill, &impl_->colours, &impl_->grid}) {
+    impl_->model->RemoveActor(part->actor);
+  }
+  for (Drawable* part : {&impl_->outline, &impl_->vessels}) {
+    impl_->overlay->RemoveActor(part->actor);
+  }
 }
 
 void SectionActors::setVisible(bool visible) {
-  for (Drawable* part : {&impl_->fill, &impl_->grid, &impl_->outline}) {
+  for (Drawable* part : impl_->all) {
     part->actor->SetVisibility(visible);
   }
 }
 
-void SectionActors::setSection(const HalfSpace& plane, const std::vector<Loop>& loops, const std::vector<HalfSpace>& within) {
+void SectionActors::setSection(const ResectionMap& map, const QImage& margins) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
-  for (const Loop& loop : loops) {
-    lines->InsertNextCell(static_cast<int>(loop.size()) + 1);
-    const vtkIdType first = points->GetNumberOfPoints();
-    for (const Vec3& point : loop) {
-      lines->InsertCellPoint(addPoint(points, point));
-    }
-    lines->InsertCellPoint(first);
+  for (const Loop& loop : map.outline) {
+    addLoop(points, lines, loop);
   }
   impl_->outline.data->SetPoints(points);
   impl_->outline.data->SetLines(lines);
@@ -100,9 +140,9 @@ void SectionActors::setSection(const HalfSpace& plane, const std::vector<Loop>& 
 
   vtkNew<vtkPoints> gridPoints;
   vtkNew<vtkCellArray> gridCells;
-  for (const auto& [from, to] : gridLines(loops, plane, kGridMm)) {
+  for (const auto& [from, to] : gridLines(map.outline, map.plane, kGridMm)) {
     for (const double side : {-kGridLiftMm, kGridLiftMm}) {
-      const Vec3 lift = side * plane.normal;
+      const Vec3 lift = side * map.plane.normal;
       gridCells->InsertNextCell(2);
       gridCells->InsertCellPoint(addPoint(gridPoints, from + lift));
       gridCells->InsertCellPoint(addPoint(gridPoints, to + lift));
@@ -112,15 +152,62 @@ void SectionActors::setSection(const HalfSpace& plane, const std::vector<Loop>& 
   impl_->grid.data->SetLines(gridCells);
   impl_->grid.data->Modified();
 
-  for (Drawable* part : {&impl_->fill, &impl_->grid, &impl_->outline}) {
+  vtkNew<vtkPoints> vesselPoints;
+  vtkNew<vtkCellArray> vesselLines;
+  vtkNew<vtkUnsignedCharArray> vesselColours;
+  vesselColours->SetNumberOfComponents(3);
+  for (const auto& [colour, loop] : map.vessels) {
+    addLoop(vesselPoints, vesselLines, loop);
+    vesselColours->InsertNextTuple3(colour.r, colour.g, colour.b);
+  }
+  impl_->vessels.data->SetPoints(vesselPoints);
+  impl_->vessels.data->SetLines(vesselLines);
+  impl_->vessels.data->GetCellData()->SetScalars(vesselColours);
+  impl_->vessels.data->Modified();
+
+  setMargins(map, margins);
+  for (Drawable* part : impl_->all) {
     part->mapper->RemoveAllClippingPlanes();
-    for (const HalfSpace& bound : within) {
+    for (const HalfSpace& bound : map.within) {
       vtkNew<vtkPlane> clip;
       clip->SetOrigin(bound.origin.data());
       clip->SetNormal(bound.normal.data());
       part->mapper->AddClippingPlane(clip);
     }
   }
+}
+
+void SectionActors::setMargins(const ResectionMap& map, const QImage& margins) {
+  Impl& d = *impl_;
+  d.colours.data->SetPolys(nullptr);
+  if (margins.isNull() || !map.margins || d.fill.data->GetPoints() == nullptr) {
+    d.colours.data->Modified();
+    return;
+  }
+  // In place of the plain fill, the picture over the fill's colour: a texture's point is where the fill's point lies in the
+  // picture's rectangle.
+  const PlaneGrid& grid = map.margins->grid;
+  vtkNew<vtkFloatArray> places;
+  places->SetNumberOfComponents(2);
+  vtkPoints* points = d.fill.data->GetPoints();
+  for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n) {
+    Vec3 at;
+    points->GetPoint(n, at.data());
+    const Vec3 from = at - grid.origin;
+    places->InsertNextTuple2(from.dot(grid.u) / (grid.stepMm * (grid.columns - 1)),
+                             from.dot(grid.v) / (grid.stepMm * (grid.rows - 1)));
+  }
+  d.colours.data->SetPoints(points);
+  d.colours.data->SetPolys(d.fill.data->GetPolys());
+  d.colours.data->GetPointData()->SetTCoords(places);
+  d.colours.data->Modified();
+  d.fill.data->SetPolys(nullptr);  // two sheets in one place would hide each other
+  d.fill.data->Modified();
+  QImage picture(margins.size(), QImage::Format_ARGB32_Premultiplied);
+  picture.fill(QColor::fromRgbF(static_cast<float>(kFill.r), static_cast<float>(kFill.g), static_cast<float>(kFill.b),
+                                static_cast<float>(d.opacity)));
+  QPainter(&picture).drawImage(0, 0, margins);
+  d.texture->SetInputData(toImageData(picture));
 }
 
 }  // namespace glisson

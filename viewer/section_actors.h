@@ -1,11 +1,11 @@
 #pragma once
-// Purpose: where one plane of the plan cuts the liver: fill and grid lie in the model's renderer, the outline in the overlay, where
-// nothing hides it. Only the part of the plane that bounds its resection is drawn. Frame: mm LPS.
+// Purpose: one plane of the plan in 3D: fill, grid and margin colours lie in the model's renderer, the outlines of liver and
+// crossed vessels in the overlay, where nothing hides them. Only the part that bounds its resection is drawn. Frame: mm LPS.
 
+#include <QImage>
 #include <memory>
-#include <vector>
 
-#include "viewer/plane_section.h"
+#include "viewer/resection_map.h"
 
 class vtkRenderer;
 
@@ -22,10 +22,12 @@ class SectionActors {
   SectionActors& operator=(const SectionActors&) = delete;
 
   void setVisible(bool visible);
-  /// `within`: the other planes of the same resection; what lies outside of them is not drawn.
-  void setSection(const HalfSpace& plane, const std::vector<Loop>& loops, const std::vector<HalfSpace>& within);
+  /// `margins`: marginPicture() of the map; null where there is none.
+  void setSection(const ResectionMap& map, const QImage& margins);
 
  private:
+  void setMargins(const ResectionMap& map, const QImage& margins);
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -39,6 +39,7 @@ void Document::open(Case content, std::shared_ptr<CaseFile> file) {
   undo_.clear();
   beforeDrag_.reset();
   assessor_.reset();
+  tumourDistance_.reset();
   liverCentre_.reset();
   assessment_ = {};
   freshness_ = Freshness::None;
@@ -69,6 +70,7 @@ void Document::close() {
   chosen_ = {};
   undo_.clear();
   assessor_.reset();
+  tumourDistance_.reset();
   assessment_ = {};
   freshness_ = Freshness::None;
   emit caseChanged();
@@ -172,6 +174,7 @@ namespace {
 
 struct Assessor {
   std::shared_ptr<const PlanAssessor> assessor;
+  std::shared_ptr<const TumourDistance> tumours;
   Vec3 centre;
 };
 
@@ -183,11 +186,14 @@ void Document::prepareAssessor() {
   submitFor<Assessor>(
       jobs_, std::move(request),
       [content = case_](const ExecutionContext&) {
-        return Assessor{std::make_shared<const PlanAssessor>(content), voxelCentre(content.liver->liver, content.liver->geometry)};
+        return Assessor{std::make_shared<const PlanAssessor>(content), std::make_shared<const TumourDistance>(content),
+                        voxelCentre(content.liver->liver, content.liver->geometry)};
       },
       [this](Assessor made) {
         assessor_ = std::move(made.assessor);
+        tumourDistance_ = std::move(made.tumours);
         liverCentre_ = made.centre;
+        emit tumourDistanceChanged();
         assessVolumes();
         assessAll();
       });
@@ -232,6 +238,29 @@ void Document::assessAll() {
         assessment_ = std::move(assessment);
         freshness_ = Freshness::All;
         emit assessmentChanged();
+      });
+}
+
+void Document::assessPlans() {
+  if (!assessor_) {
+    return;
+  }
+  JobRequest request{.key = "assessPlans", .title = tr("Numbers of all plans"), .quiet = true};
+  request.fail = [this](const std::exception& error) { emit storeFailed(messageOf(error)); };
+  submitFor<std::vector<PlanAssessment>>(
+      jobs_, std::move(request),
+      [assessor = assessor_, plans = case_.plans](const ExecutionContext& context) {
+        std::vector<PlanAssessment> assessments;
+        for (const ResectionPlan& plan : plans) {
+          context.throwIfCancelled();
+          assessments.push_back(assessor->assess(plan));
+        }
+        return assessments;
+      },
+      [this, asked = assessor_](const std::vector<PlanAssessment>& assessments) {
+        if (asked == assessor_ && !beforeDrag_) {
+          emit plansAssessed(assessments);
+        }
       });
 }
 

@@ -14,6 +14,7 @@
 #include "planning/case/case.h"
 #include "planning/resection/plan_edit.h"
 #include "planning/volumetry/assessment.h"
+#include "planning/volumetry/tumour_distance.h"
 
 namespace glisson {
 
@@ -63,6 +64,10 @@ class Document : public QObject {
   [[nodiscard]] const ResectionPlan& plan() const;
   [[nodiscard]] const PlanAssessment& assessment() const { return assessment_; }
   [[nodiscard]] Freshness freshness() const { return freshness_; }
+  /// Computes the numbers of all plans; plansAssessed() brings them, unless the plans change meanwhile.
+  void assessPlans();
+  /// For colouring the resection surface; null until computed.
+  [[nodiscard]] const std::shared_ptr<const TumourDistance>& tumourDistance() const { return tumourDistance_; }
   /// Centre of L's voxels, mm; nothing until computed.
   [[nodiscard]] std::optional<Vec3> liverCentre() const { return liverCentre_; }
 
@@ -103,12 +108,15 @@ class Document : public QObject {
   void flush() { store_.flush(); }
 
  signals:
-  void caseChanged();        ///< another case, or none
-  void modelChanged();       ///< a structure was made or looks different
-  void ctChanged();          ///< the CT has come
-  void notesChanged();       ///< the problem list
-  void planChanged();        ///< a plane stands elsewhere, another one is worked on, or the list of plans is another
-  void patientChanged();     ///< what the user said about the patient
+  void caseChanged();     ///< another case, or none
+  void modelChanged();    ///< a structure was made or looks different
+  void ctChanged();       ///< the CT has come
+  void notesChanged();    ///< the problem list
+  void planChanged();     ///< a plane stands elsewhere, another one is worked on, or the list of plans is another
+  void patientChanged();  ///< what the user said about the patient
+  void tumourDistanceChanged();
+  /// What assessPlans() asked for, by plan.
+  void plansAssessed(const std::vector<glisson::PlanAssessment>& assessments);
   void assessmentChanged();  ///< new numbers, or old ones out of date
   void cleanChanged();
   void saved(const QString& path);
@@ -145,6 +153,7 @@ class Document : public QObject {
   QUndoStack undo_;
   CaseStore store_;
   std::shared_ptr<const PlanAssessor> assessor_;
+  std::shared_ptr<const TumourDistance> tumourDistance_;
   std::optional<Vec3> liverCentre_;
   PlanAssessment assessment_;
   Freshness freshness_ = Freshness::None;

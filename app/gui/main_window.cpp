@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/case_panel.h"
+#include "app/gui/compare_window.h"
 #include "app/gui/export_panel.h"
 #include "app/gui/job_bar.h"
 #include "app/gui/main_actions.h"
@@ -127,6 +128,11 @@ void MainWindow::connectParts() {
   connect(placer_, &PlanePlacer::placed, this, [this] { workspaces_->setCurrent(Workspace::Plan); });
   connect(placer_, &PlanePlacer::refused, this, &MainWindow::complain);
   connect(placer_, &PlanePlacer::hint, jobBar_, &JobBar::tell);
+  connect(&plan_->planBar(), &PlanBar::compareRequested, this, [this] {
+    if (document_->content().plans.size() > 1) {
+      (new CompareWindow(*document_, views_->displayMeshes(), this))->show();
+    }
+  });
   connect(&plan_->planBar(), &PlanBar::refused, this, &MainWindow::complain);
   PlaneEditor& editor = plan_->planeEditor();
   editor.setPlaceMenu(&placer_->menu());

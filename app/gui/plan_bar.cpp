@@ -53,6 +53,7 @@ PlanBar::PlanBar(Document& document, QWidget* parent)
       duplicate_(planMenuButton_->menu()->addAction(QString())),
       rename_(planMenuButton_->menu()->addAction(QString())),
       delete_(planMenuButton_->menu()->addAction(QString())),
+      compare_(planMenuButton_->menu()->addAction(QString())),
       addResection_(planeMenuButton_->menu()->addAction(QString())),
       addPlane_(planeMenuButton_->menu()->addAction(QString())) {
   setObjectName("planBar");
@@ -60,6 +61,7 @@ PlanBar::PlanBar(Document& document, QWidget* parent)
   duplicate_->setObjectName("actionDuplicatePlan");
   rename_->setObjectName("actionRenamePlan");
   delete_->setObjectName("actionDeletePlan");
+  compare_->setObjectName("actionComparePlans");
   addResection_->setObjectName("actionAddResection");
   addPlane_->setObjectName("actionAddPlane");
   margin_->setObjectName("safetyMargin");
@@ -88,6 +90,7 @@ PlanBar::PlanBar(Document& document, QWidget* parent)
   connect(newPlan_, &QAction::triggered, this, [this] { tryTo([this] { document_.addPlan(); }); });
   connect(duplicate_, &QAction::triggered, this, [this] { tryTo([this] { document_.duplicatePlan(); }); });
   connect(delete_, &QAction::triggered, this, [this] { tryTo([this] { document_.removePlan(); }); });
+  connect(compare_, &QAction::triggered, this, &PlanBar::compareRequested);
   connect(rename_, &QAction::triggered, this, &PlanBar::askForName);
   connect(addResection_, &QAction::triggered, this, &PlanBar::resectionRequested);
   connect(addPlane_, &QAction::triggered, this, &PlanBar::planeRequested);
@@ -110,6 +113,7 @@ void PlanBar::retranslateUi() {
   duplicate_->setText(tr("Duplicate plan"));
   rename_->setText(tr("Rename plan..."));
   delete_->setText(tr("Delete plan"));
+  compare_->setText(tr("Compare plans..."));
   addResection_->setText(tr("Add a resection"));
   addPlane_->setText(tr("Add a plane to this resection"));
   refresh();
@@ -142,6 +146,8 @@ void PlanBar::refresh() {
   planeMenuButton_->setToolTip(plane ? tr("Add planes") : tr("Place a plane first."));
   delete_->setEnabled(document_.content().plans.size() > 1);
   delete_->setToolTip(delete_->isEnabled() ? QString() : tr("A case keeps at least one plan."));
+  compare_->setEnabled(delete_->isEnabled());
+  compare_->setToolTip(compare_->isEnabled() ? QString() : tr("Duplicate this plan or make a new one first."));
 }
 
 void PlanBar::refreshPlanes() {

@@ -25,6 +25,8 @@ class PlanBar : public Translated<QWidget> {
   /// A plane to be placed as seen in the 3D view: in a resection of its own, or as one more of the resection worked on.
   void resectionRequested();
   void planeRequested();
+  /// At least two plans side by side.
+  void compareRequested();
   void refused(const QString& sentence);
 
  protected:
@@ -49,6 +51,7 @@ class PlanBar : public Translated<QWidget> {
   QAction* duplicate_;
   QAction* rename_;
   QAction* delete_;
+  QAction* compare_;
   QAction* addResection_;
   QAction* addPlane_;
 };

@@ -51,8 +51,4 @@ class PlanPanel : public Translated<QWidget> {
   FlrCardBox* card_;
 };
 
-/// The tumour whose margin decides: the smallest margin of those removed or cut, else the nearest of those left. Null where none
-/// is.
-const TumourAssessment* decisiveTumour(const PlanAssessment& assessment);
-
 }  // namespace glisson

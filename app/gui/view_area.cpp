@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "planning/report/decisive_tumour.h"
+
 namespace glisson {
 
 namespace {
@@ -60,6 +62,9 @@ ViewArea::ViewArea(Document& document, JobRunner& jobs, QWidget* parent)
   connect(&document_, &Document::ctChanged, this, &ViewArea::showVolumes);
   connect(&document_, &Document::modelChanged, this, &ViewArea::showModel);
   connect(&document_, &Document::planChanged, this, &ViewArea::showPlane);
+  connect(&document_, &Document::assessmentChanged, this, &ViewArea::showMargin);
+  connect(&document_, &Document::caseChanged, this, [this] { modelView_->setTumours(nullptr); });
+  connect(&document_, &Document::tumourDistanceChanged, this, [this] { modelView_->setTumours(document_.tumourDistance()); });
 }
 
 void ViewArea::setWindowLevel(const WindowLevel& windowLevel) {
@@ -150,6 +155,17 @@ void ViewArea::showPlane() {
   for (SliceView* slice : slices_) {
     slice->setPlane(document_.plane(), others);
   }
+}
+
+void ViewArea::showMargin() {
+  const TumourAssessment* tumour =
+      document_.freshness() == Freshness::All && document_.plane() ? decisiveTumour(document_.assessment()) : nullptr;
+  if (tumour == nullptr || !tumour->way) {
+    modelView_->setMarginLine(std::nullopt, false);
+    return;
+  }
+  const bool tooShort = tumour->marginAtLeastMm && *tumour->marginAtLeastMm < document_.plan().safetyMarginMm;
+  modelView_->setMarginLine(tumour->way, tooShort);
 }
 
 void ViewArea::toggleMaximised(QWidget* view) {

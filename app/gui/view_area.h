@@ -18,6 +18,8 @@ class ViewArea : public QWidget {
   ViewArea(Document& document, JobRunner& jobs, QWidget* parent = nullptr);
 
   [[nodiscard]] ModelView& modelView() { return *modelView_; }
+  /// The surfaces of the 3D view, for other views of the same model.
+  [[nodiscard]] const std::vector<std::shared_ptr<const DisplayMesh>>& displayMeshes() const { return ready_; }
   void setWindowLevel(const WindowLevel& windowLevel);
   /// The crosshair in all slice views, mm LPS.
   void setCrosshair(const Vec3& worldMm);
@@ -30,6 +32,7 @@ class ViewArea : public QWidget {
   void showVolumes();
   void showModel();
   void showPlane();
+  void showMargin();
   void toggleMaximised(QWidget* view);
 
   void prepareMeshes();

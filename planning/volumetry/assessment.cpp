@@ -226,6 +226,7 @@ TumourAssessment PlanAssessor::Impl::assessTumour(const Part& tumour, const Plan
   if (!std::isfinite(margin.mm)) {
     return result;
   }
+  result.way = {geometry.origin + geometry.direction * margin.from, geometry.origin + geometry.direction * margin.to};
   if (result.state == TumourState::Left) {
     result.distanceMm = margin.mm;
     return result;

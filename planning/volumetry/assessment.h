@@ -24,6 +24,8 @@ struct TumourAssessment {
   std::optional<double> marginMm;         ///< removed: >= 0; cut: minus the greatest depth on the remnant side; left: nothing
   std::optional<double> marginAtLeastMm;  ///< marginMm - r, r = 1/2 sum |n_i| spacing_i along the margin line
   std::optional<double> distanceMm;       ///< left: distance to the cut
+  /// Removed or left: the shortest way, from the tumour to the cut, mm LPS; in the view, not in the JSON.
+  std::optional<std::pair<Vec3, Vec3>> way{};
 };
 
 struct VesselCrossing {

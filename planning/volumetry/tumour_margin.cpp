@@ -281,11 +281,11 @@ double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vect
 Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& cut, const std::vector<ImageResection>& plan) {
   const CutDistance::Way way = cut.shortest(rows, spacing);
   if (!std::isfinite(way.mm)) {
-    return {way.mm, way.mm};
+    return {way.mm, way.mm, way.from, way.to};
   }
   const CutPiece& piece = cut.pieces()[way.piece];
   const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : plan[piece.resection].planes[piece.plane].normal;
-  return {way.mm, way.mm - resolutionMm(along, spacing)};
+  return {way.mm, way.mm - resolutionMm(along, spacing), way.from, way.to};
 }
 
 double resolutionMm(const Vec3& direction, const Vec3& spacing) { return 0.5 * direction.cwiseAbs().dot(spacing); }

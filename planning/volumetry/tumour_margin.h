@@ -44,8 +44,10 @@ CutDistance::Way shortestWay(const Box& box, const Polygon& polygon);
 
 /// The margin of boxes that lie on the resected side altogether.
 struct Margin {
-  double mm = 0;       ///< infinity where there is no surface
-  double atLeast = 0;  ///< mm - resolution along the shortest way
+  double mm = 0;             ///< infinity where there is no surface
+  double atLeast = 0;        ///< mm - resolution along the shortest way
+  Vec3 from = Vec3::Zero();  ///< of the shortest way: on the boxes
+  Vec3 to = Vec3::Zero();    ///< on the surface
 };
 Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& cut, const std::vector<ImageResection>& plan);
 

@@ -20,6 +20,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "app/gui/compare_window.h"
 #include "app/gui/export_panel.h"
 #include "app/gui/job_bar.h"
 #include "app/gui/label_dialog.h"
@@ -548,6 +549,27 @@ TEST_F(WindowTest, TheFlrCardShowsAThresholdOnlyWithAllFactsAndUndoTakesThemBack
   EXPECT_EQ(condition->currentIndex(), 0);
   document().flush();
   EXPECT_EQ(CaseFile::open(document().path()).load().patient.weightKg, 75);
+}
+
+TEST_F(WindowTest, TwoPlansStandSideBySideWithLinkedCamerasAndMarkedValues) {
+  openSmallWithPlane();
+  EXPECT_FALSE(find<QAction>("actionComparePlans")->isEnabled());
+  find<QAction>("actionDuplicatePlan")->trigger();
+  window->placer().moveBy(5);
+  ASSERT_TRUE(settle());
+  find<QAction>("actionComparePlans")->trigger();
+  auto* compare = find<CompareWindow>("compareWindow");
+  auto* table = find<QTreeWidget>("comparedTable");
+  ASSERT_TRUE(waitFor([&] { return table->isEnabled() && table->topLevelItemCount() > 0; }));
+  const QList<QTreeWidgetItem*> resected = table->findItems("Resected", Qt::MatchExactly);
+  ASSERT_EQ(resected.size(), 1);
+  EXPECT_TRUE(resected.front()->text(1).contains("largest"));
+  EXPECT_TRUE(resected.front()->text(2).contains("smallest"));
+  EXPECT_TRUE(find<QLabel>("comparedDifferences")->text().contains("5.0 mm from where it was placed"));
+  ASSERT_EQ(compare->views().size(), 2U);
+  compare->views()[0]->setStandardView(ModelView::StandardView::Left);
+  EXPECT_TRUE(waitFor([&] { return compare->views()[1]->viewDirection().x() < -0.99; }));
+  compare->close();
 }
 
 }  // namespace

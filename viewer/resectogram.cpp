@@ -1,0 +1,172 @@
+#include "viewer/resectogram.h"
+
+#include <QEvent>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace glisson {
+
+namespace {
+
+constexpr int kWidth = 220;
+constexpr int kHeight = 220;
+constexpr int kMargin = 6;
+constexpr int kSwatch = 12;
+constexpr int kLegendLines = 3;
+const QColor kBack(20, 22, 26, 215);
+const QColor kPaper(219, 227, 237);
+const QColor kInk(230, 230, 230);
+
+QPainterPath pathOf(const std::vector<Loop>& loops, const PlaneGrid& grid) {
+  QPainterPath path;
+  for (const Loop& loop : loops) {
+    QPolygonF polygon;
+    for (const Vec3& point : loop) {
+      polygon << QPointF((point - grid.origin).dot(grid.u), (point - grid.origin).dot(grid.v));
+    }
+    path.addPolygon(polygon);
+    path.closeSubpath();
+  }
+  path.setFillRule(Qt::OddEvenFill);
+  return path;
+}
+
+/// The grid's rectangle on the inner side of the bound, in the grid's mm.
+QPainterPath insideOf(const HalfSpace& bound, const PlaneGrid& grid) {
+  const double width = grid.stepMm * (grid.columns - 1);
+  const double height = grid.stepMm * (grid.rows - 1);
+  std::vector<QPointF> kept;
+  const std::array<QPointF, 4> corners{QPointF(0, 0), QPointF(width, 0), QPointF(width, height), QPointF(0, height)};
+  const auto over = [&](const QPointF& p) {
+    return bound.normal.dot(grid.origin + p.x() * grid.u + p.y() * grid.v - bound.origin);
+  };
+  for (std::size_t n = 0; n < 4; ++n) {
+    const QPointF& a = corners[n];
+    const QPointF& b = corners[(n + 1) % 4];
+    if (over(a) >= 0) {
+      kept.push_back(a);
+    }
+    if ((over(a) >= 0) != (over(b) >= 0)) {
+      kept.push_back(a + over(a) / (over(a) - over(b)) * (b - a));
+    }
+  }
+  QPainterPath path;
+  path.addPolygon(QPolygonF(QList<QPointF>(kept.begin(), kept.end())));
+  path.closeSubpath();
+  return path;
+}
+
+}  // namespace
+
+Resectogram::Resectogram(QWidget* parent) : QWidget(parent) {
+  setObjectName("resectogram");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAccessibleName(tr("Resection surface, laid flat"));
+  hide();
+}
+
+QSize Resectogram::sizeHint() const { return {kWidth, kHeight}; }
+
+void Resectogram::setMap(std::optional<ResectionMap> map, const QImage& margins) {
+  map_ = std::move(map);
+  margins_ = margins;
+  const bool shown = map_ && !map_->outline.empty();
+  if (shown != isVisible()) {
+    setVisible(shown);
+  }
+  update();
+}
+
+void Resectogram::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    setAccessibleName(tr("Resection surface, laid flat"));
+    update();
+  }
+  QWidget::changeEvent(event);
+}
+
+void Resectogram::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), kBack);
+  if (!map_) {
+    return;
+  }
+  const int line = fontMetrics().height();
+  painter.setPen(kInk);
+  painter.drawText(QRect(kMargin, 2, width() - 2 * kMargin, line), Qt::AlignLeft,
+                   fontMetrics().elidedText(tr("Cut, from the resected side"), Qt::ElideRight, width() - 2 * kMargin));
+  const int legend = map_->margins ? kLegendLines * (line + 2) : 0;
+  drawMap(painter, QRectF(kMargin, line + 6, width() - 2 * kMargin, height() - line - 10 - legend));
+  if (map_->margins) {
+    drawLegend(painter, QRectF(kMargin, height() - legend - 2, width() - 2 * kMargin, legend));
+  }
+}
+
+void Resectogram::drawMap(QPainter& painter, const QRectF& box) const {
+  const PlaneGrid grid = map_->margins ? map_->margins->grid : gridOver(map_->outline, map_->plane, 1.0);
+  if (grid.columns < 2 || grid.rows < 2) {
+    return;
+  }
+  const double mmWide = grid.stepMm * (grid.columns - 1);
+  const double mmHigh = grid.stepMm * (grid.rows - 1);
+  const double scale = std::min(box.width() / mmWide, box.height() / mmHigh);
+  painter.save();
+  // u to the right, v up: the plane's normal comes out of the picture.
+  painter.translate(box.center().x() - 0.5 * scale * mmWide, box.center().y() + 0.5 * scale * mmHigh);
+  painter.scale(scale, -scale);
+  QPainterPath outline = pathOf(map_->outline, grid);
+  for (const HalfSpace& bound : map_->within) {
+    outline = outline.intersected(insideOf(bound, grid));
+  }
+  painter.setClipPath(outline);
+  painter.fillPath(outline, kPaper);
+  if (!margins_.isNull()) {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRectF(0, 0, mmWide, mmHigh), margins_);
+  }
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [colour, loop] : map_->vessels) {
+    const QPainterPath vessel = pathOf({loop}, grid);
+    QPen pen(QColor(15, 16, 18), 3.5);
+    pen.setCosmetic(true);
+    painter.setPen(pen);
+    painter.drawPath(vessel);
+    pen = QPen(QColor(colour.r, colour.g, colour.b), 2);
+    pen.setCosmetic(true);
+    painter.setPen(pen);
+    painter.drawPath(vessel);
+  }
+  painter.setClipping(false);
+  QPen edge(Qt::white, 1.5);
+  edge.setCosmetic(true);
+  painter.setPen(edge);
+  painter.drawPath(outline);
+  painter.restore();
+}
+
+void Resectogram::drawLegend(QPainter& painter, const QRectF& box) const {
+  const double line = box.height() / kLegendLines;
+  const QString mm =
+      QLocale().toString(map_->safetyMarginMm, 'f', map_->safetyMarginMm == std::round(map_->safetyMarginMm) ? 0 : 1);
+  const auto write = [&](double left, int row, const QString& text) {
+    const QRectF place(left, box.y() + row * line, box.right() - left, line);
+    painter.setPen(kInk);
+    painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
+                     fontMetrics().elidedText(text, Qt::ElideRight, static_cast<int>(place.width())));
+  };
+  const auto entry = [&](int row, const QColor& colour, bool hatched, const QString& text) {
+    const QRectF swatch(box.x(), box.y() + row * line + 0.5 * (line - kSwatch), kSwatch, kSwatch);
+    painter.fillRect(swatch, colour);
+    if (hatched) {
+      painter.fillRect(swatch, QBrush(QColor(110, 0, 0), Qt::FDiagPattern));
+    }
+    write(box.x() + kSwatch + 4, row, text);
+  };
+  entry(0, kMarginRed, true, tr("under %1 mm to a tumour").arg(mm));
+  entry(1, kMarginYellow, false, tr("perhaps under %1 mm").arg(mm));
+  write(box.x(), 2, tr("Lines: every %1 mm").arg(static_cast<int>(kIsoLineMm)));
+}
+
+}  // namespace glisson
