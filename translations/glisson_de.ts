@@ -2431,6 +2431,14 @@
         <source>none</source>
         <translation>keine Angabe</translation>
     </message>
+    <message>
+        <source>%1 cannot be written; check the folder.</source>
+        <translation>%1 kann nicht geschrieben werden; prüfen Sie den Ordner.</translation>
+    </message>
+    <message>
+        <source>The plan&apos;s numbers are still being computed; try again in a moment.</source>
+        <translation>Die Zahlen des Plans werden noch berechnet; versuchen Sie es gleich noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -2473,6 +2481,221 @@
     <message>
         <source>Not part of the liver model</source>
         <translation>Nicht Teil des Lebermodells</translation>
+    </message>
+</context>
+<context>
+    <name>glisson</name>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>angeschnitten</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>belassen</translation>
+    </message>
+    <message>
+        <source>CT of %1</source>
+        <translation>CT vom %1</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Liver, tumours in it included</source>
+        <translation>Leber, mit den Tumoren darin</translation>
+    </message>
+    <message>
+        <source>Functional liver</source>
+        <translation>Funktionelle Leber</translation>
+    </message>
+    <message>
+        <source>Resected</source>
+        <translation>Reseziert</translation>
+    </message>
+    <message>
+        <source>Remnant</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Functional remnant (FLR), share of the functional liver</source>
+        <translation>Funktioneller Rest (FLR), Anteil der funktionellen Leber</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>longest diameter</source>
+        <translation>größter Durchmesser</translation>
+    </message>
+    <message>
+        <source>to the capsule</source>
+        <translation>zur Kapsel</translation>
+    </message>
+    <message>
+        <source>nearest vessel</source>
+        <translation>nächstes Gefäß</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>mindestens</translation>
+    </message>
+    <message>
+        <source>%1 from the cut</source>
+        <translation>%1 vom Schnitt</translation>
+    </message>
+    <message>
+        <source>Tumours (safety margin %1)</source>
+        <translation>Tumoren (Sicherheitsabstand %1)</translation>
+    </message>
+    <message>
+        <source>Vessel crossed</source>
+        <translation>Gekreuztes Gefäß</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Vessels crossed: %1</source>
+        <translation>Gekreuzte Gefäße: %1</translation>
+    </message>
+    <message>
+        <source>FLR of the functional liver</source>
+        <translation>FLR der funktionellen Leber</translation>
+    </message>
+    <message>
+        <source>FLR of the standardised volume (Urata)</source>
+        <translation>FLR des standardisierten Volumens (Urata)</translation>
+    </message>
+    <message>
+        <source>FLR of the standardised volume (Vauthey)</source>
+        <translation>FLR des standardisierten Volumens (Vauthey)</translation>
+    </message>
+    <message>
+        <source>FLR per body surface, mL/m²</source>
+        <translation>FLR je Körperoberfläche, mL/m²</translation>
+    </message>
+    <message>
+        <source>FLR of the body weight</source>
+        <translation>FLR des Körpergewichts</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>veröffentlicht</translation>
+    </message>
+    <message>
+        <source>FLR card: published numbers for information, not advice</source>
+        <translation>FLR-Karte: veröffentlichte Zahlen zur Information, keine Empfehlung</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>a point of it, mm LPS</source>
+        <translation>ein Punkt darauf, mm LPS</translation>
+    </message>
+    <message>
+        <source>normal, to the resected side</source>
+        <translation>Normale, zur resezierten Seite</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Measured distances</source>
+        <translation>Gemessene Abstände</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>made by</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>voxels, mL</source>
+        <translation>Voxel, mL</translation>
+    </message>
+    <message>
+        <source>surface, mL</source>
+        <translation>Oberfläche, mL</translation>
+    </message>
+    <message>
+        <source>no surface yet</source>
+        <translation>noch keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>Structures and parameters</source>
+        <translation>Strukturen und Parameter</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the surfaces&apos; vertices and triangles</source>
+        <translation>SHA-256 der Ecken und Dreiecke der Oberflächen</translation>
+    </message>
+    <message>
+        <source>Resection plan: %1</source>
+        <translation>Resektionsplan: %1</translation>
+    </message>
+    <message>
+        <source>from anterior</source>
+        <translation>von vorn</translation>
+    </message>
+    <message>
+        <source>from superior</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>from the left</source>
+        <translation>von links</translation>
+    </message>
+    <message>
+        <source>Pre-operative, supine, rigid: pneumoperitoneum and mobilisation move the liver by centimetres; registration error not included. Not for clinical use.</source>
+        <translation>Präoperativ, in Rückenlage, starr: Pneumoperitoneum und Mobilisation verschieben die Leber um Zentimeter; Registrierfehler nicht enthalten. Nicht für den klinischen Gebrauch.</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>not for clinical use</source>
+        <translation>nicht für den klinischen Gebrauch</translation>
     </message>
 </context>
 <context>
@@ -2701,6 +2924,10 @@
     <message>
         <source>Numbers of all plans</source>
         <translation>Zahlen aller Pläne</translation>
+    </message>
+    <message>
+        <source>edit plans</source>
+        <translation>Pläne bearbeiten</translation>
     </message>
 </context>
 <context>
@@ -3133,6 +3360,10 @@
         <source>Place a plane first.</source>
         <translation>Setzen Sie zuerst eine Ebene.</translation>
     </message>
+    <message>
+        <source>&amp;Report as PDF...</source>
+        <translation>&amp;Bericht als PDF...</translation>
+    </message>
 </context>
 <context>
     <name>glisson::MainWindow</name>
@@ -3211,6 +3442,18 @@ Not for clinical use: this is no medical device. Check every number before you r
         <translation>Planung von Leberresektionen: das Parenchym durch Poisson-Oberflächenrekonstruktion, Gefäße und Tumoren durch Marching Cubes.
 
 Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Zahl, bevor Sie sich auf sie verlassen.</translation>
+    </message>
+    <message>
+        <source>Report as PDF</source>
+        <translation>Bericht als PDF</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Bericht geschrieben: %1</translation>
     </message>
 </context>
 <context>

@@ -50,10 +50,10 @@ void CaseStore::adopt(std::shared_ptr<CaseFile> file) {
   post([file = std::move(file)](Worker& worker) { worker.file = file; });
 }
 
-void CaseStore::storePlans(const std::vector<ResectionPlan>& plans) {
-  post([plans](Worker& worker) {
+void CaseStore::storePlans(const std::vector<ResectionPlan>& plans, const QString& name) {
+  post([plans, name = name.toStdString()](Worker& worker) {
     if (worker.file) {
-      worker.file->storePlans(plans);
+      worker.file->storePlans(plans, name);
     }
   });
 }
@@ -77,7 +77,8 @@ void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
 
 void CaseStore::saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete) {
   post([this, path, content, obsolete](Worker& worker) {
-    auto fresh = std::make_shared<CaseFile>(CaseFile::create(path, content));
+    const std::vector<PlanStep> history = worker.file ? worker.file->history() : std::vector<PlanStep>();
+    auto fresh = std::make_shared<CaseFile>(CaseFile::create(path, content, history));
     worker.file = std::move(fresh);
     if (!obsolete.empty() && obsolete != path) {
       std::error_code ignored;  // a recovery file left behind is no loss

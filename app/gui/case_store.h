@@ -28,7 +28,8 @@ class CaseStore : public QObject {
   void create(const std::filesystem::path& path, const Case& content);
   /// Goes on with a file that was opened elsewhere.
   void adopt(std::shared_ptr<CaseFile> file);
-  void storePlans(const std::vector<ResectionPlan>& plans);
+  /// `name`: of the edit, for the undo history.
+  void storePlans(const std::vector<ResectionPlan>& plans, const QString& name);
   void storePatient(const PatientFacts& facts);
   void storeModel(std::shared_ptr<const LiverModel> model);
   /// Writes the whole case to `path`, goes on there, and removes `obsolete` (a recovery file) where it is given.

@@ -50,6 +50,7 @@ void Document::open(Case content, std::shared_ptr<CaseFile> file) {
     const std::filesystem::path parent = path_.parent_path();
     std::error_code ignored;
     recovery_ = std::filesystem::equivalent(parent, recoveryFolder_, ignored);
+    restoreHistory(*file);
     store_.adopt(std::move(file));
   } else {
     path_ = recoveryFolder_ / (case_.code + ".glisson");

@@ -133,7 +133,9 @@ class Document : public QObject {
   void leave();
   [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const HalfSpace& plane) const;
   void pushPlans(const QString& name, std::vector<ResectionPlan> plans, const ChosenPlane& chosen);
-  void setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen);
+  void setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name);
+  /// The edits of earlier sessions onto the undo stack; what was undone then is not there.
+  void restoreHistory(const CaseFile& file);
   void storePatient(const PatientFacts& facts);
   void setAppearance(const std::string& structureId, const Appearance& appearance);
   void replaceModel(std::shared_ptr<const LiverModel> model);

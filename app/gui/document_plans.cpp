@@ -142,21 +142,39 @@ void Document::endDrag(const HalfSpace& plane) {
   beforeDrag_.reset();
   const std::optional<HalfSpace> from = this->plane();
   if (from && from->origin == plane.origin && from->normal == plane.normal) {
-    setPlans(case_.plans, chosen_);  // a click on a handle moves nothing and is no step
+    setPlans(case_.plans, chosen_, {});  // a click on a handle moves nothing and is no step
     return;
   }
   from ? movePlane(plane) : placePlane(plane);
 }
 
-void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen) {
+void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name) {
   case_.plans = std::move(plans);
   chosen_ = existing(case_.plans, chosen);
   if (!readOnly_) {
-    store_.storePlans(case_.plans);
+    store_.storePlans(case_.plans, name);
   }
   emit planChanged();
   assessVolumes();
   assessAll();
+}
+
+void Document::restoreHistory(const CaseFile& file) {
+  std::vector<PlanStep> standing;
+  for (PlanStep& step : file.history()) {
+    // An undo was stored as an edit without a name that leads back.
+    if (step.name.empty() && !standing.empty() && standing.back().before == step.after) {
+      standing.pop_back();
+    } else {
+      standing.push_back(std::move(step));
+    }
+  }
+  for (const PlanStep& step : standing) {
+    const QString name = step.name.empty() ? QString::fromLatin1(QT_TR_NOOP("edit plans")) : QString::fromStdString(step.name);
+    undo_.push(
+        new PlansCommand(*this, name, {step.before, existing(step.before, {})}, {step.after, existing(step.after, {})}, true));
+  }
+  undo_.setClean();
 }
 
 void Document::setPatient(const PatientFacts& facts) {

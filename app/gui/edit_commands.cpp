@@ -2,12 +2,17 @@
 
 namespace glisson {
 
-PlansCommand::PlansCommand(Document& document, const QString& text, State before, State after)
-    : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)) {}
+PlansCommand::PlansCommand(Document& document, const QString& text, State before, State after, bool done)
+    : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)), done_(done) {}
 
-void PlansCommand::undo() { document_.setPlans(before_.plans, before_.chosen); }
+void PlansCommand::undo() { document_.setPlans(before_.plans, before_.chosen, {}); }
 
-void PlansCommand::redo() { document_.setPlans(after_.plans, after_.chosen); }
+void PlansCommand::redo() {
+  if (!done_) {
+    document_.setPlans(after_.plans, after_.chosen, text());
+  }
+  done_ = false;
+}
 
 PatientCommand::PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after)
     : QUndoCommand(text), document_(document), before_(before), after_(after) {}

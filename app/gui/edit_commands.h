@@ -14,7 +14,8 @@ class PlansCommand : public QUndoCommand {
     std::vector<ResectionPlan> plans;
     ChosenPlane chosen;
   };
-  PlansCommand(Document& document, const QString& text, State before, State after);
+  /// `done`: an edit of an earlier session; it stands already, and its first redo() changes nothing.
+  PlansCommand(Document& document, const QString& text, State before, State after, bool done = false);
   void undo() override;
   void redo() override;
 
@@ -22,6 +23,7 @@ class PlansCommand : public QUndoCommand {
   Document& document_;
   State before_;
   State after_;
+  bool done_;
 };
 
 class PatientCommand : public QUndoCommand {

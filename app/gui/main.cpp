@@ -33,7 +33,7 @@ void nameApplication() {
 int run(QApplication& application, const glisson::StartOptions& options) {
   using namespace glisson;
   QApplication::setWindowIcon(QIcon(":/icons/glisson.svg"));
-  const bool picture = !options.screenshot.isEmpty();
+  const bool picture = !options.screenshot.isEmpty() || !options.pdf.isEmpty();
   QTemporaryDir temporary;  // a picture leaves no case behind
   const QString data = picture ? temporary.path() : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
 
@@ -47,7 +47,7 @@ int run(QApplication& application, const glisson::StartOptions& options) {
     window.opener().setOptions(options.read);
     window.opener().setUnattended(picture);
     if (picture) {
-      auto* taker = new ScreenshotTaker(window, *jobs, options.screenshot, options.sample);
+      auto* taker = new ScreenshotTaker(window, *jobs, options.screenshot, options.pdf, options.sample);
       QObject::connect(taker, &ScreenshotTaker::done, &application, [&exitCode](int code, const QString& message) {
         exitCode = code == 0 ? 0 : tell(message, code);
         QApplication::exit(exitCode);

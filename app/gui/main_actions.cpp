@@ -82,6 +82,8 @@ void MainActions::makeFileMenu() {
     window_.workspaces().setCurrent(Workspace::Export);
     window_.exportPanel().startExport();
   }));
+  needCase_.push_back(
+      add(file, "actionReport", QT_TR_NOOP("&Report as PDF..."), QKeySequence("Ctrl+R"), [this] { window_.saveReport(); }));
   file->addSeparator();
   add(file, "actionQuit", QT_TR_NOOP("&Quit"), QKeySequence::Quit, [this] { window_.close(); });
 }

@@ -48,6 +48,10 @@ class MainWindow : public Translated<QMainWindow> {
   void openFolder();
   void save();
   void saveAs();
+  /// Asks for a file, then writes the report of the plan worked on.
+  void saveReport();
+  /// Throws InputError where it cannot be written, PlanningError while the numbers are not those of the plan.
+  void writeReport(const QString& path);
   void showAbout();
   void showLeftPanel(bool shown);
   void showRightPanel(bool shown);

@@ -9,7 +9,11 @@
 #include <QMimeData>
 #include <QSettings>
 
+#include "app/gui/job_bar.h"
 #include "app/gui/main_window.h"
+#include "app/gui/message_bar.h"
+#include "app/gui/plan_report.h"
+#include "reconstruction/errors.h"
 
 namespace glisson {
 
@@ -111,6 +115,29 @@ void MainWindow::showAbout() {
          "marching cubes.\n\nNot for clinical use: this is no medical device. Check every number before you "
          "rely on it."));
   box->open();
+}
+
+void MainWindow::saveReport() {
+  const QString code = QString::fromStdString(document_->content().code);
+  const QString path = QFileDialog::getSaveFileName(this, tr("Report as PDF"), code + QStringLiteral(".pdf"), tr("PDF (*.pdf)"));
+  if (path.isEmpty()) {
+    return;
+  }
+  try {
+    writeReport(path);
+    jobBar_->tell(tr("Report written: %1").arg(QDir::toNativeSeparators(path)));
+  } catch (const Error& error) {
+    complain(messageOf(error));
+  }
+}
+
+void MainWindow::writeReport(const QString& path) {
+  if (!document_->isOpen() || document_->freshness() != Freshness::All) {
+    throw PlanningError("The plan's numbers are still being computed; try again in a moment.");
+  }
+  PlanReport report{document_->content(), document_->plan(), document_->assessment(),
+                    reportViews(document_->content(), document_->plan(), document_->tumourDistance()), false};
+  writePdf(report, path);
 }
 
 }  // namespace glisson

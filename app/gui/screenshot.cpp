@@ -5,7 +5,9 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/plane_placer.h"
+#include "app/gui/sentences.h"
 #include "app/gui/view_area.h"
+#include "reconstruction/errors.h"
 
 namespace glisson {
 
@@ -19,8 +21,13 @@ QImage pictureOf(MainWindow& window) {
   return picture;
 }
 
-ScreenshotTaker::ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString path, bool placePlane)
-    : QObject(&window), window_(window), jobs_(jobs), path_(std::move(path)), placePlane_(placePlane) {
+ScreenshotTaker::ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString picture, QString report, bool placePlane)
+    : QObject(&window),
+      window_(window),
+      jobs_(jobs),
+      picture_(std::move(picture)),
+      report_(std::move(report)),
+      placePlane_(placePlane) {
   connect(&jobs_, &JobRunner::becameIdle, this, &ScreenshotTaker::proceed, Qt::QueuedConnection);
   connect(&window_, &MainWindow::failed, this,
           [this](const QString& message) { finish(window_.document().isOpen() ? 4 : 3, message); });
@@ -42,12 +49,22 @@ void ScreenshotTaker::proceed() {
   }
   window_.workspaces().setCurrent(Workspace::Plan);
   // two turns of the event loop: layouts settle, then the views draw what they were told
-  QTimer::singleShot(0, this, [this] {
-    QTimer::singleShot(200, this, [this] {
-      const bool written = pictureOf(window_).save(path_, "PNG");
-      finish(written ? 0 : 3, written ? QString() : tr("%1 cannot be written; check the folder.").arg(path_));
-    });
-  });
+  QTimer::singleShot(0, this, [this] { QTimer::singleShot(200, this, &ScreenshotTaker::write); });
+}
+
+void ScreenshotTaker::write() {
+  if (!picture_.isEmpty() && !pictureOf(window_).save(picture_, "PNG")) {
+    finish(3, tr("%1 cannot be written; check the folder.").arg(picture_));
+    return;
+  }
+  try {
+    if (!report_.isEmpty()) {
+      window_.writeReport(report_);
+    }
+    finish(0, {});
+  } catch (const Error& error) {
+    finish(3, shownSentence(messageOf(error)));
+  }
 }
 
 void ScreenshotTaker::finish(int exitCode, const QString& message) {

@@ -1,6 +1,6 @@
 #pragma once
-// Purpose: `glisson --screenshot`: waits until every structure is made and every number computed, then paints the whole window, 3D
-// included, into a PNG.
+// Purpose: `glisson --screenshot` and `--pdf`: waits until every structure is made and every number computed, then writes the
+// picture of the whole window, 3D included, or the report.
 
 #include <QImage>
 #include <QObject>
@@ -17,8 +17,8 @@ QImage pictureOf(MainWindow& window);
 class ScreenshotTaker : public QObject {
   Q_OBJECT
  public:
-  /// `placePlane`: puts the first plane where the plan is empty (the sample patient's picture).
-  ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString path, bool placePlane);
+  /// Either path may be empty. `placePlane`: puts the first plane where the plan is empty (the sample patient's picture).
+  ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString picture, QString report, bool placePlane);
 
  signals:
   /// 0: written. 3: an input was refused or the file cannot be written. 4: a structure could not be made. `message` is empty for 0.
@@ -26,10 +26,12 @@ class ScreenshotTaker : public QObject {
 
  private:
   void proceed();
+  void write();
   void finish(int exitCode, const QString& message);
   MainWindow& window_;
   JobRunner& jobs_;
-  QString path_;
+  QString picture_;
+  QString report_;
   bool placePlane_;
   bool finished_ = false;
 };

@@ -39,6 +39,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
                        "The plane around %1 keeps at least %2 mm, takes %3 mL of functional liver and crosses %4 vessels of 3 "
                        "mm and more.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Open a case first.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "%1 cannot be written; check the folder.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The plan's numbers are still being computed; try again in a moment.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has no surface yet.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Choose a format.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The work ended with an unknown error.")},

@@ -18,6 +18,7 @@ void declare(QCommandLineParser& parser) {
       {"version", "Show the version and end."},
       {"sample", "Open the built-in sample patient."},
       {"screenshot", "Build the model, write a picture of the window, and end.", "OUT.png"},
+      {"pdf", "Build the model, write the report of its first plan, and end.", "OUT.pdf"},
       {"size", "Size of the window.", "WxH"},
       {"lang", "Language of the window: en or de.", "CODE"},
       {"labels", "Kinds of labels: totalsegmentator or N=KIND,NAME=KIND,...", "KINDS"},
@@ -49,11 +50,15 @@ StartOptions parseStartOptions(const QStringList& arguments) {
   options.version = parser.isSet("version");
   options.sample = parser.isSet("sample");
   options.screenshot = parser.value("screenshot");
+  options.pdf = parser.value("pdf");
   if (options.sample && !options.paths.isEmpty()) {
     throw UsageError("--sample opens the sample patient and takes no files; leave one of them out.");
   }
   if (parser.isSet("screenshot") && (options.screenshot.isEmpty() || (!options.sample && options.paths.isEmpty()))) {
     throw UsageError("--screenshot needs the name of a PNG and something to show: a case, files, or --sample.");
+  }
+  if (parser.isSet("pdf") && (options.pdf.isEmpty() || (!options.sample && options.paths.isEmpty()))) {
+    throw UsageError("--pdf needs the name of a PDF and something to report: a case, files, or --sample.");
   }
   if (parser.isSet("size")) {
     options.size = parseSize(parser.value("size"));

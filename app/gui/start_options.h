@@ -12,7 +12,8 @@ namespace glisson {
 struct StartOptions {
   QStringList paths;
   bool sample = false;
-  QString screenshot;  ///< path of a PNG; empty: an ordinary window
+  QString screenshot;  ///< path of a PNG; both empty: an ordinary window
+  QString pdf;         ///< path of a report
   QSize size{1440, 900};
   QString language;  ///< "en", "de" or empty: the remembered one
   ReadOptions read;

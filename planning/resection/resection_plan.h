@@ -12,6 +12,7 @@ namespace glisson {
 struct Resection {
   std::string name;               ///< "Resection 1"
   std::vector<HalfSpace> planes;  ///< resected = inside all of them
+  bool operator==(const Resection&) const = default;
 };
 
 enum class PlanSide : std::uint8_t { Resected, Remnant };
@@ -21,6 +22,7 @@ enum class PlanSide : std::uint8_t { Resected, Remnant };
 struct IslandAssignment {
   Vec3 point = Vec3::Zero();  ///< mm LPS
   PlanSide to = PlanSide::Resected;
+  bool operator==(const IslandAssignment&) const = default;
 };
 
 /// A distance the user has measured; kept with the plan.
@@ -30,6 +32,7 @@ struct Measure {
   Vec3 to = Vec3::Zero();
 
   [[nodiscard]] double mm() const { return (to - from).norm(); }
+  bool operator==(const Measure&) const = default;
 };
 
 struct ResectionPlan {
@@ -38,6 +41,7 @@ struct ResectionPlan {
   double safetyMarginMm = 10.0;
   std::vector<IslandAssignment> islands{};
   std::vector<Measure> measures{};
+  bool operator==(const ResectionPlan&) const = default;
 };
 
 /// With a unit normal. Throws PlanningError where origin or normal is not finite or the normal is zero.

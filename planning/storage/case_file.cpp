@@ -123,7 +123,7 @@ CaseFile::~CaseFile() = default;
 CaseFile::CaseFile(CaseFile&&) noexcept = default;
 CaseFile& CaseFile::operator=(CaseFile&&) noexcept = default;
 
-CaseFile CaseFile::create(const fs::path& path, const Case& source) {
+CaseFile CaseFile::create(const fs::path& path, const Case& source, const std::vector<PlanStep>& history) {
   if (!source.segmentation || !source.liver) {
     throw PlanningError("A case without a segmentation cannot be saved; open one first.");
   }
@@ -140,6 +140,7 @@ CaseFile CaseFile::create(const fs::path& path, const Case& source) {
     database.execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; BEGIN");
     caseTables::createTables(database);
     caseTables::writeCase(database, source, meshes);
+    caseTables::writeHistory(database, history);
     database.execute("COMMIT");
   }
   syncToDisk(draft.path());
@@ -181,10 +182,10 @@ Case CaseFile::load() const {
   }
 }
 
-void CaseFile::storePlans(const std::vector<ResectionPlan>& plans) {
+void CaseFile::storePlans(const std::vector<ResectionPlan>& plans, const std::string& name) {
   impl_->requireWriter();
   Transaction transaction(impl_->database);
-  if (caseTables::writePlans(impl_->database, plans)) {
+  if (caseTables::writePlans(impl_->database, plans, name)) {
     transaction.commit();
   }
 }

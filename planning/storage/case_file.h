@@ -13,6 +13,7 @@ namespace glisson {
 
 /// The undo record of one edit.
 struct PlanStep {
+  std::string name;  ///< "move plane 2"; empty where the edit had none, and in records of version 1
   std::vector<ResectionPlan> before;
   std::vector<ResectionPlan> after;
 };
@@ -20,8 +21,9 @@ struct PlanStep {
 class CaseFile {
  public:
   /// Creates a new file holding `source` (masks and meshes compressed, the CT by path and SHA-256). Written beside and renamed: an
-  /// existing file is replaced only by a complete one, and not while somebody edits it. Throws InputError.
-  static CaseFile create(const std::filesystem::path& path, const Case& source);
+  /// existing file is replaced only by a complete one, and not while somebody edits it. `history`: of the file it is saved from.
+  /// Throws InputError.
+  static CaseFile create(const std::filesystem::path& path, const Case& source, const std::vector<PlanStep>& history = {});
   /// Opens for reading and, where no other process writes, for writing. Throws InputError: not a case, newer version, damaged.
   static CaseFile open(const std::filesystem::path& path);
   ~CaseFile();
@@ -32,7 +34,7 @@ class CaseFile {
   [[nodiscard]] Case load() const;
   /// Replaces the plans in one committed transaction, together with its undo record; equal plans are no edit. Throws InputError
   /// where the file is read-only or the disk is full, PlanningError where a plane is not finite; the file then holds what it held.
-  void storePlans(const std::vector<ResectionPlan>& plans);
+  void storePlans(const std::vector<ResectionPlan>& plans, const std::string& name = {});
   /// Replaces what the user said about the patient in one committed transaction, without an undo record. Throws as storePlans().
   void storePatient(const PatientFacts& facts);
   /// Replaces the model (structures, colours, meshes) in one committed transaction.

@@ -139,6 +139,7 @@ void setVersion(const Database& database) { database.execute(("PRAGMA user_versi
 void bringUpToDate(const Database& database) {
   if (versionOf(database) < kVersion) {
     putDocument(database, "patient", textOf(caseJson::fromFacts({})));
+    database.execute("ALTER TABLE history ADD COLUMN name TEXT NOT NULL DEFAULT ''");
     setVersion(database);
   }
 }
@@ -149,7 +150,8 @@ void createTables(const Database& database) {
       "CREATE TABLE document(key TEXT PRIMARY KEY, json TEXT NOT NULL, crc INTEGER NOT NULL) STRICT;"
       "CREATE TABLE part(key TEXT PRIMARY KEY, data BLOB NOT NULL) STRICT;"
       "CREATE TABLE ct_file(name TEXT PRIMARY KEY, bytes INTEGER NOT NULL, sha256 TEXT NOT NULL) STRICT;"
-      "CREATE TABLE history(step INTEGER PRIMARY KEY, before TEXT NOT NULL, after TEXT NOT NULL) STRICT;");
+      "CREATE TABLE history(step INTEGER PRIMARY KEY, before TEXT NOT NULL, after TEXT NOT NULL, "
+      "name TEXT NOT NULL DEFAULT '') STRICT;");
   database.execute(("PRAGMA application_id=" + std::to_string(kApplicationId)).c_str());
   setVersion(database);
 }
@@ -206,7 +208,23 @@ void writeModel(const Database& database, const LiverModel& model, StoredMeshes&
   stored = std::move(now);
 }
 
-bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans) {
+namespace {
+void appendStep(const Database& database, const std::string& before, const std::string& after, const std::string& name) {
+  Statement(database, "INSERT INTO history(before, after, name) VALUES(?, ?, ?)")
+      .bind(0, std::string_view(before))
+      .bind(1, std::string_view(after))
+      .bind(2, std::string_view(name))
+      .step();
+}
+}  // namespace
+
+void writeHistory(const Database& database, const std::vector<PlanStep>& steps) {
+  for (const PlanStep& step : steps) {
+    appendStep(database, plansText(step.before), plansText(step.after), step.name);
+  }
+}
+
+bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans, const std::string& name) {
   const std::string after = plansText(plans);
   const std::string before = documentText(database, "plans");
   if (before == after) {
@@ -214,10 +232,7 @@ bool writePlans(const Database& database, const std::vector<ResectionPlan>& plan
   }
   bringUpToDate(database);
   putDocument(database, "plans", after);
-  Statement(database, "INSERT INTO history(before, after) VALUES(?, ?)")
-      .bind(0, std::string_view(before))
-      .bind(1, std::string_view(after))
-      .step();
+  appendStep(database, before, after, name);
   return true;
 }
 
@@ -277,11 +292,13 @@ std::vector<CtFileHash> readCtFiles(const Database& database) {
 
 std::vector<PlanStep> readHistory(const Database& database, std::size_t atMost) {
   std::vector<PlanStep> steps;
-  Statement statement(database, "SELECT before, after FROM history ORDER BY step DESC LIMIT ?");
+  Statement statement(database, versionOf(database) > 1 ? "SELECT before, after, name FROM history ORDER BY step DESC LIMIT ?"
+                                                        : "SELECT before, after, '' FROM history ORDER BY step DESC LIMIT ?");
   statement.bind(0, static_cast<std::int64_t>(atMost));
   try {
     while (statement.step()) {
-      steps.push_back({caseJson::toPlans(Json::parse(statement.text(0))), caseJson::toPlans(Json::parse(statement.text(1)))});
+      steps.push_back({statement.text(2), caseJson::toPlans(Json::parse(statement.text(0))),
+                       caseJson::toPlans(Json::parse(statement.text(1)))});
     }
   } catch (const Json::exception&) {
     damaged(database, "its history cannot be read");

@@ -3,9 +3,10 @@
 //   document(key, json, crc)   'case', 'segmentation', 'model', 'plans', 'patient'; crc is CRC-32 of the text
 //   part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h
 //   ct_file(name, bytes, sha256)
-//   history(step, before, after)   the plans before and after each edit
-// Version 1 has no 'patient' and plans without islands and measures. It is read as it is, and becomes version 2 in the transaction
-// of the first edit of its plans or patient: an older program then refuses it instead of dropping what it does not know.
+//   history(step, before, after, name)   the plans before and after each edit, and what it is called
+// Version 1 has no 'patient', no names of edits, and plans without islands and measures. It is read as it is, and becomes version 2
+// in the transaction of the first edit of its plans or patient: an older program then refuses it instead of dropping what it does
+// not know.
 
 #include <map>
 
@@ -26,7 +27,9 @@ void createTables(const Database& database);
 void writeCase(const Database& database, const Case& source, StoredMeshes& stored);
 void writeModel(const Database& database, const LiverModel& model, StoredMeshes& stored);
 /// Replaces the plans and appends the edit to the history; false where nothing changed.
-bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans);
+bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans, const std::string& name);
+/// Appends edits to the history.
+void writeHistory(const Database& database, const std::vector<PlanStep>& steps);
 /// Replaces what the user said about the patient.
 void writePatient(const Database& database, const PatientFacts& facts);
 Case readCase(const Database& database, StoredMeshes& stored);

@@ -12,6 +12,7 @@ namespace glisson {
 struct HalfSpace {
   Vec3 origin = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
+  bool operator==(const HalfSpace&) const = default;
 };
 
 struct CutResult {

@@ -5,7 +5,7 @@
 
 namespace glisson::poisson {
 
-/// Sets the weights, mm^2. `kernelCellMm` is the cell of level `kernelLevel`.
-void weighByDensity(CubeSamples& samples, int kernelLevel, double kernelCellMm, const ExecutionContext& context);
+/// Sets the weights, mm^2. `cellMm` is the cell of `level`.
+void weighByDensity(CubeSamples& samples, int level, double cellMm, const ExecutionContext& context);
 
 }  // namespace glisson::poisson

@@ -11,8 +11,9 @@ struct Frame {
   double cellMm = 0;           ///< cell of the finest level
   int depth = 0;
   int kernelLevel = 0;
+  int densityLevel = 0;  ///< the finest, up to kernelLevel, whose cells are no narrower than the widest spacing
 
-  [[nodiscard]] double kernelCellMm() const { return cellMm * (1 << (depth - kernelLevel)); }
+  [[nodiscard]] double cellMmOf(int level) const { return cellMm * (1 << (depth - level)); }
 };
 
 /// The cube is scale x the samples' largest extent, with room for the kernel around tiny bodies. Depth and kernel are kept from

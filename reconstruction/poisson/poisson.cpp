@@ -25,11 +25,11 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 poisson::CubeSamples cubeSamplesOf(const OrientedPoints& points, const ImageGeometry& geometry, Sampling sampling,
                                    const poisson::Frame& frame, const ExecutionContext& context) {
   if (sampling == Sampling::Unbiased) {
-    return poisson::toCube(spreadOverFaces(points, geometry, frame.kernelCellMm(), context), frame.corner, frame.cellMm,
-                           frame.depth, context);
+    return poisson::toCube(spreadOverFaces(points, geometry, frame.cellMmOf(frame.kernelLevel), context), frame.corner,
+                           frame.cellMm, frame.depth, context);
   }
   auto samples = poisson::toCube(points, frame.corner, frame.cellMm, frame.depth, context);
-  poisson::weighByDensity(samples, frame.kernelLevel, frame.kernelCellMm(), context);
+  poisson::weighByDensity(samples, frame.densityLevel, frame.cellMmOf(frame.densityLevel), context);
   return samples;
 }
 

@@ -186,5 +186,51 @@ TEST_F(DocumentTest, AnAssessmentThatEndsDuringADragIsNotShownAsCurrent_H5) {
   EXPECT_TRUE(settle());
 }
 
+TEST_F(DocumentTest, AReopenedCaseHasItsUndoHistoryWithNamesWithoutWhatWasUndone) {
+  document->placePlane(planeAt(0));
+  document->movePlane(planeAt(5));
+  document->movePlane(planeAt(9));
+  document->undoStack().undo();
+  document->edit(SetSafetyMargin{4});
+  document->saveAs(named());
+  document->flush();
+  document->close();
+  auto file = std::make_shared<CaseFile>(CaseFile::open(named()));
+  Case read = file->load();
+  Document again(jobs, recovery());
+  again.open(std::move(read), std::move(file));
+  QUndoStack& stack = again.undoStack();
+  EXPECT_TRUE(again.isClean());
+  ASSERT_EQ(stack.count(), 3);
+  EXPECT_EQ(stack.undoText(), "change safety margin");
+  stack.undo();
+  EXPECT_EQ(again.plan().safetyMarginMm, 10);
+  again.flush();
+}
+
+TEST_F(DocumentTest, ACrashLosesNeitherTheLastEditNorItsHistory_H6) {
+  document->placePlane(planeAt(0));
+  document->movePlane(planeAt(5));
+  document->movePlane(planeAt(9));
+  document->undoStack().undo();
+  document->edit(SetSafetyMargin{4});
+  document->flush();
+  auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));  // as the next start does, read only here
+  Case read = file->load();
+  Document again(jobs, recovery());
+  again.open(std::move(read), std::move(file));
+  QUndoStack& stack = again.undoStack();
+  ASSERT_EQ(stack.count(), 3);
+  EXPECT_EQ(stack.undoText(), "change safety margin");
+  stack.undo();
+  EXPECT_EQ(stack.undoText(), "move plane");
+  EXPECT_EQ(again.plan().safetyMarginMm, 10);
+  EXPECT_EQ(again.plane()->origin, planeAt(5).origin);
+  stack.undo();
+  EXPECT_EQ(again.plane()->origin, planeAt(0).origin);
+  stack.undo();
+  EXPECT_FALSE(again.plane().has_value());
+}
+
 }  // namespace
 }  // namespace glisson

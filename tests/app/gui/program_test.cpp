@@ -4,6 +4,7 @@
 
 #include <QImage>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <set>
 
@@ -42,8 +43,8 @@ Ended glisson(const QStringList& arguments) {
 
 TEST(ProgramTest, WrongUsageEndsWithTwoAndOneLine) {
   for (const QStringList& wrong :
-       {QStringList{"--size", "big", "x.glisson"}, QStringList{"--screenshot", "x.png"}, QStringList{"--no-such-flag"},
-        QStringList{"--sample", "x.glisson"}, QStringList{"--lang", "xx"}}) {
+       {QStringList{"--size", "big", "x.glisson"}, QStringList{"--screenshot", "x.png"}, QStringList{"--pdf", "x.pdf"},
+        QStringList{"--no-such-flag"}, QStringList{"--sample", "x.glisson"}, QStringList{"--lang", "xx"}}) {
     const Ended ended = glisson(wrong);
     EXPECT_EQ(ended.code, 2) << wrong.join(' ').toStdString();
     EXPECT_EQ(ended.err.count('\n'), 0) << ended.err.toStdString();
@@ -60,10 +61,40 @@ TEST(ProgramTest, AMissingInputEndsAScreenshotWithThreeAndItsName_H9) {
   EXPECT_FALSE(QFile::exists(folder.filePath("out.png")));
 }
 
-TEST(ProgramTest, TheSamplePatientsPictureShowsTheWholeWindowWithTheModel) {
+/// The number before " mL" in the line of the report that begins with `name`.
+double millilitres(const QString& text, const QString& name) {
+  const QRegularExpressionMatch match =
+      QRegularExpression("^\\s*" + QRegularExpression::escape(name) + "\\s+([\\d,.]+).mL", QRegularExpression::MultilineOption)
+          .match(text);
+  EXPECT_TRUE(match.hasMatch()) << name.toStdString() << "\n" << text.toStdString();
+  return match.captured(1).remove(',').toDouble();
+}
+
+/// What can be selected in the report.
+void expectReport(const QString& path) {
+  QProcess process;
+  process.start("pdftotext", {"-layout", path, "-"});
+  ASSERT_TRUE(process.waitForFinished()) << "pdftotext is missing";
+  ASSERT_EQ(process.exitCode(), 0);
+  const QString text = QString::fromUtf8(process.readAllStandardOutput());
+  EXPECT_NEAR(millilitres(text, "Resected") + millilitres(text, "Remnant"), millilitres(text, "Liver, tumours in it included"),
+              0.11);
+  for (const char* part : {"Resection plan: Plan 1", "tumour 2", "Vessels crossed", "PSR d=7", "Planes", "SHA-256",
+                           "registration error not included", "page 1 of"}) {
+    EXPECT_TRUE(text.simplified().contains(part)) << part << "\n" << text.toStdString();
+  }
+  const auto pages = text.count("page ");
+  EXPECT_EQ(text.count("not for clinical use"), pages);
+  EXPECT_TRUE(QRegularExpression("\\btumour 2 +[0-9a-f]{64}\\b").match(text).hasMatch()) << text.toStdString();
+  EXPECT_FALSE(text.contains("Glisson, Sample")) << "the person is not named by default";
+}
+
+TEST(ProgramTest, TheSamplePatientsPictureShowsTheWholeWindowWithTheModelAndItsReportItsNumbers) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("out.png");
-  const Ended ended = glisson({"--sample", "--screenshot", path, "--size", "1100x720", "--lang", "en"});
+  const QString report = folder.filePath("out.pdf");
+  const Ended ended = glisson({"--sample", "--screenshot", path, "--pdf", report, "--size", "1100x720", "--lang", "en"});
+  expectReport(report);
   ASSERT_EQ(ended.code, 0) << ended.err.toStdString();
   const QImage picture(path);
   EXPECT_EQ(picture.size(), QSize(1100, 720));

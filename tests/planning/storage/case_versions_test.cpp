@@ -43,13 +43,13 @@ std::int64_t versionOf(const fs::path& path) {
   return version;
 }
 
-/// A file as version 1 wrote it: without the patient.
+/// A file as version 1 wrote it: without the patient and without names of edits.
 fs::path versionOne(const fs::path& folder) {
   fs::path file = folder / "old.glisson";
   Case made = ballCase();
   made.plans = {planAt(10)};
   { CaseFile::create(file, made); }
-  runSql(file, "DELETE FROM document WHERE key = 'patient'; PRAGMA user_version=1");
+  runSql(file, "DELETE FROM document WHERE key = 'patient'; ALTER TABLE history DROP COLUMN name; PRAGMA user_version=1");
   return file;
 }
 
@@ -95,10 +95,12 @@ TEST(CaseVersions, FirstEditBringsAFileOfVersionOneUpToDate) {
   const fs::path file = versionOne(scratch.path);
   CaseFile::open(file).storePlans({planAt(10)});
   EXPECT_EQ(versionOf(file), 1) << "equal plans are no edit";
-  CaseFile::open(file).storePlans({planAt(9)});
+  CaseFile::open(file).storePlans({planAt(9)}, "move plane");
   EXPECT_EQ(versionOf(file), 2);
   EXPECT_EQ(CaseFile::open(file).load().plans[0].resections[0].planes[0].origin[0], 9);
-  EXPECT_EQ(CaseFile::open(file).history().size(), 1U);
+  ASSERT_EQ(CaseFile::open(file).history().size(), 1U);
+  EXPECT_EQ(CaseFile::open(file).history()[0].name, "move plane");
+  EXPECT_EQ(CaseFile::open(file).history()[0].before, std::vector<ResectionPlan>{planAt(10)});
   fs::remove(file);
   const fs::path other = versionOne(scratch.path);
   CaseFile::open(other).storePatient(kFacts);

@@ -125,6 +125,31 @@ TEST(Density, GivesASphereItsAreaFromPointsAlone) {
   }
 }
 
+TEST(Density, PointsOfSlicesWeighTheSameWhereTheCellsAreAsWideAsTheSlicesLieApart) {
+  OrientedPoints points;  // a plane in cells: 0.5 apart in a slice, 1.6 from slice to slice
+  for (double y = 16; y < 112; y += 0.5) {
+    for (double z = 16; z < 112; z += 1.6) {
+      points.positions.push_back(Vec3(64.3, y, z));
+      points.normals.push_back(Vec3(1, 0, 0));
+      points.weights.push_back(1);
+    }
+  }
+  const auto worst = [&](int level) {  // of the weights away from the plane's rim, against the area of a point
+    CubeSamples samples = toCube(points, Vec3::Zero(), 1.0, 7, {});
+    weighByDensity(samples, level, static_cast<double>(1 << (7 - level)), {});
+    double most = 0;
+    for (std::size_t n = 0; n < samples.weights.size(); ++n) {
+      const auto& p = samples.positions[n];
+      if (std::min(p[1], p[2]) > 24 && std::max(p[1], p[2]) < 104) {
+        most = std::max(most, std::abs(samples.weights[n] / (0.5 * 1.6) - 1.0));
+      }
+    }
+    return most;
+  };
+  EXPECT_GT(worst(7), 0.25);
+  EXPECT_LT(worst(6), 0.25);
+}
+
 TEST(Operators, StiffnessOfLinearFunctionsIsNothingAndOfASquareTwo) {
   const BlockGrid grid = denseGrid(5);
   Field out(grid.nodeCount());
@@ -293,8 +318,10 @@ TEST(Frame, KeepsTheCubeForEveryDepthAndTheCellsFromTheSpacing) {
     EXPECT_NEAR(frame.cellMm * (1 << frame.depth), 110.0, 1e-9);
     EXPECT_TRUE((frame.corner - Vec3(-55, -40, -20)).norm() < 1e-9);
     EXPECT_GE(frame.cellMm, 0.4);
-    EXPECT_GE(frame.kernelCellMm(), 1.25);
+    EXPECT_GE(frame.cellMmOf(frame.kernelLevel), 1.25);
     EXPECT_LE(frame.depth, std::min(depth, 8));
+    EXPECT_GE(frame.cellMmOf(frame.densityLevel), 2.5);
+    EXPECT_LE(frame.densityLevel, frame.kernelLevel);
   }
 }
 

@@ -1,0 +1,30 @@
+#pragma once
+// Purpose: the report of one plan as a PDF with text that can be selected: numbers with uncertainties, three standard views with
+// the cut, planes, parameters, hashes, version; the case's code and the CT's date stand on every page. In the window's language.
+
+#include <QImage>
+#include <QString>
+#include <array>
+
+#include "planning/case/case.h"
+#include "planning/volumetry/assessment.h"
+#include "planning/volumetry/tumour_distance.h"
+
+namespace glisson {
+
+struct PlanReport {
+  Case content;
+  ResectionPlan plan;
+  PlanAssessment assessment;    ///< of this plan
+  std::array<QImage, 3> views;  ///< from anterior, from superior, from the left
+  bool withIdentity = false;    ///< else the code alone stands for the patient
+};
+
+/// The three views of a report, drawn off-screen in full detail. Needs OpenGL; null images where there is none.
+std::array<QImage, 3> reportViews(const Case& content, const ResectionPlan& plan,
+                                  const std::shared_ptr<const TumourDistance>& tumours);
+
+/// An older file at `path` is replaced by a complete one only. Throws InputError where it cannot be written.
+void writePdf(const PlanReport& report, const QString& path);
+
+}  // namespace glisson
