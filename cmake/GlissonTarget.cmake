@@ -23,10 +23,11 @@ if(GLISSON_COVERAGE)
   add_link_options(--coverage)
 endif()
 
-# glisson_target(NAME [REUSE_FROM TARGET]): call once per target. Includes are written from the project's root:
-# #include "reconstruction/mesh/surface_mesh.h". REUSE_FROM: the precompiled headers of another target of the same kind.
+# glisson_target(NAME [REUSE_FROM TARGET | FEW_FILES]): call once per target. Includes are written from the project's root:
+# #include "reconstruction/mesh/surface_mesh.h". REUSE_FROM: the precompiled headers of another target of the same kind. FEW_FILES: none,
+# since precompiling takes longer than a few files without.
 function(glisson_target name)
-  cmake_parse_arguments(T "" "REUSE_FROM" "" ${ARGN})
+  cmake_parse_arguments(T "FEW_FILES" "REUSE_FROM" "" ${ARGN})
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
                                          -Woverloaded-virtual -ffp-contract=off)
@@ -35,7 +36,7 @@ function(glisson_target name)
   endif()
   if(T_REUSE_FROM)
     target_precompile_headers(${name} REUSE_FROM ${T_REUSE_FROM})
-  else()
+  elseif(NOT T_FEW_FILES)
     target_precompile_headers(${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional>
                               <set> <span> <string> <string_view> <unordered_map> <vector> <Eigen/Core> <Eigen/LU>)
   endif()

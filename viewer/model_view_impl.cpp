@@ -201,7 +201,7 @@ void ModelView::Impl::prepareFrame(FrameQuality quality) {
   if (const Pose now = view->pose(); now != told) {
     told = now;
     // not from within a frame: other views answer with frames of their own
-    QMetaObject::invokeMethod(view, &ModelView::cameraMoved, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(view, "cameraMoved", Qt::QueuedConnection);
   }
   Eigen::AlignedBox3d box;
   growBy(box, scene.renderer);

@@ -1,5 +1,6 @@
 #include "app/cli/choose.h"
 
+#include <CLI/CLI.hpp>
 #include <utility>
 #include <vector>
 

@@ -1,13 +1,17 @@
 #pragma once
 // Purpose: what the commands of glisson-cli have in common: how they are registered, run and end, and the flags they share.
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <string>
 
 #include "reconstruction/execution_context.h"
 #include "reconstruction/io/read.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace glisson::cli {
 

@@ -1,5 +1,6 @@
 #include "app/cli/plan_flags.h"
 
+#include <CLI/CLI.hpp>
 #include <sstream>
 
 #include "planning/resection/place_plane.h"

@@ -1,5 +1,6 @@
 #include "app/cli/plan_territories.h"
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <sstream>
 

@@ -1,5 +1,6 @@
 #include "app/cli/reconstruct_flags.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
