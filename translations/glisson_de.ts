@@ -3457,6 +3457,45 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     </message>
 </context>
 <context>
+    <name>glisson::MeasureBox</name>
+    <message>
+        <source>Click two points of the model in the 3D view; it can be turned in between. Escape ends.</source>
+        <translation>Klicken Sie zwei Punkte des Modells in der 3D-Ansicht an; sie darf dazwischen gedreht werden. Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Measured distances</source>
+        <translation>Gemessene Abstände</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Between two points clicked in the 3D view; kept in the plan and its report</source>
+        <translation>Zwischen zwei Punkten, die in der 3D-Ansicht angeklickt werden; bleibt im Plan und seinem Bericht</translation>
+    </message>
+    <message>
+        <source>Open a case first.</source>
+        <translation>Öffnen Sie zuerst einen Fall.</translation>
+    </message>
+    <message>
+        <source>Select a distance in the list first.</source>
+        <translation>Wählen Sie zuerst einen Abstand in der Liste.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::MessageBar</name>
     <message>
         <source>Read (%1 more)</source>

@@ -59,15 +59,6 @@ void ModelView::setModel(std::shared_ptr<const LiverModel> model, const std::vec
 
 namespace {
 
-bool same(const HalfSpace& a, const HalfSpace& b) { return a.origin == b.origin && a.normal == b.normal; }
-
-bool same(const ResectionPlan& a, const ResectionPlan& b) {
-  return a.safetyMarginMm == b.safetyMarginMm &&
-         std::ranges::equal(a.resections, b.resections, [](const Resection& x, const Resection& y) {
-           return std::ranges::equal(x.planes, y.planes, [](const HalfSpace& p, const HalfSpace& q) { return same(p, q); });
-         });
-}
-
 std::vector<std::size_t> shapeOf(const ResectionPlan& plan) {
   std::vector<std::size_t> shape;
   std::ranges::transform(plan.resections, std::back_inserter(shape), [](const Resection& r) { return r.planes.size(); });
@@ -78,7 +69,7 @@ std::vector<std::size_t> shapeOf(const ResectionPlan& plan) {
 
 void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
   Impl& d = *impl_;
-  if (same(plan, d.plan) && choice == d.choice) {
+  if (plan == d.plan && choice == d.choice) {
     return;
   }
   const bool redraw = shapeOf(plan) != shapeOf(d.plan) || choice != d.choice;
@@ -91,6 +82,7 @@ void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
   if (redraw) {
     d.showPlan();
   }
+  d.measureActors.setMeasures(d.plan.measures);
   if (!d.plane) {
     d.drag.reset();
     d.hovered.reset();

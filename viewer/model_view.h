@@ -38,7 +38,8 @@ class ModelView : public VtkWidget {
   /// until the user moves it. Surfaces that are not among `ready` are made ready here, which keeps the caller waiting.
   void setModel(std::shared_ptr<const LiverModel> model, const std::vector<std::shared_ptr<const DisplayMesh>>& ready = {});
   /// The plan's planes, drawn only inside the parenchyma's mesh and where they bound their resection, the two sides told apart
-  /// (what is resected is tinted and labelled); the chosen plane has grid and handles, which nothing hides. Emits no signal.
+  /// (what is resected is tinted and labelled); the chosen plane has grid and handles, which nothing hides. The plan's measured
+  /// distances are drawn, too. Emits no signal.
   void setPlan(ResectionPlan plan, const PlaneChoice& choice = {});
   /// Without handles planes are only looked at. With them is the default.
   void setHandlesShown(bool shown);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/measure_actors.h"
 #include "viewer/model_view.h"
 #include "viewer/pick_overlay.h"
 #include "viewer/plane_actors.h"
@@ -22,7 +23,7 @@
 namespace glisson {
 
 struct ModelView::Impl {
-  explicit Impl(ModelView* owner) : view(owner), scene(owner->scene()), planeActors(scene.overlay) {}
+  explicit Impl(ModelView* owner) : view(owner), scene(owner->scene()), planeActors(scene.overlay), measureActors(scene.overlay) {}
 
   ModelView* view;
   Scene& scene;
@@ -33,6 +34,7 @@ struct ModelView::Impl {
   PlaneChoice choice;
   std::optional<HalfSpace> plane;  ///< the one worked on, with handles; it stands in `plan` too
   PlaneActors planeActors;
+  MeasureActors measureActors;
   std::vector<std::unique_ptr<SectionActors>> sections;  ///< one for each plane of the plan, in its order
   vtkNew<vtkAnnotatedCubeActor> cube;
   vtkNew<vtkOrientationMarkerWidget> marker;

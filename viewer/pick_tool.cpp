@@ -9,6 +9,20 @@ namespace {
 constexpr double kClickPixels = 4;    ///< the mouse moves a little in a click
 constexpr double kStrokePixels = 12;  ///< a shorter stroke has no direction
 constexpr double kAheadMm = 100;      ///< a line's ends are named this far from the eye
+
+/// Of a gesture of clicks.
+std::size_t clicksOf(PickKind kind) {
+  switch (kind) {
+    case PickKind::Point:
+      return 1;
+    case PickKind::TwoPoints:
+      return 2;
+    case PickKind::ThreePoints:
+    case PickKind::Line:
+      break;
+  }
+  return 3;
+}
 }  // namespace
 
 void PickTool::press(const Pixel& at) {
@@ -41,7 +55,7 @@ std::optional<Pick> PickTool::release(const Pixel& at, const ViewCamera& camera,
   if (const std::optional<Vec3> point = look(at)) {
     points_.push_back(*point);
   }
-  if (points_.size() < (kind_ == PickKind::Point ? 1U : 3U)) {
+  if (points_.size() < clicksOf(kind_)) {
     return std::nullopt;
   }
   return Pick{kind_, points_, camera};

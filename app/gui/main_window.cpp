@@ -15,6 +15,7 @@
 #include "app/gui/export_panel.h"
 #include "app/gui/job_bar.h"
 #include "app/gui/main_actions.h"
+#include "app/gui/measure_box.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/model_panel.h"
 #include "app/gui/number_text.h"
@@ -134,6 +135,9 @@ void MainWindow::connectParts() {
     }
   });
   connect(&plan_->planBar(), &PlanBar::refused, this, &MainWindow::complain);
+  plan_->measureBox().pointIn(views_->modelView());
+  connect(&plan_->measureBox(), &MeasureBox::hint, jobBar_, &JobBar::tell);
+  connect(&plan_->measureBox(), &MeasureBox::refused, this, &MainWindow::complain);
   PlaneEditor& editor = plan_->planeEditor();
   editor.setPlaceMenu(&placer_->menu());
   connect(&editor, &PlaneEditor::placeRequested, placer_, &PlanePlacer::placeAsSeen);

@@ -10,11 +10,12 @@ PlaceMenu::PlaceMenu(Document& document, QWidget* parent) : Translated<QMenu>(pa
   setObjectName("placeMenu");
   setToolTipsVisible(true);
   constexpr std::array kPicks{"placeAtPoint", "placeThroughPoints", "placeAlongLine"};
+  static constexpr std::array kKinds{PickKind::Point, PickKind::ThreePoints, PickKind::Line};
   constexpr std::array kSlices{"placeAxial", "placeCoronal", "placeSagittal"};
   for (std::size_t n = 0; n < 3; ++n) {
     picks_[n] = addAction(QString());
     picks_[n]->setObjectName(kPicks[n]);
-    connect(picks_[n], &QAction::triggered, this, [this, n] { emit pickRequested(static_cast<PickKind>(n)); });
+    connect(picks_[n], &QAction::triggered, this, [this, n] { emit pickRequested(kKinds[n]); });
   }
   addSeparator();
   for (std::size_t n = 0; n < 3; ++n) {

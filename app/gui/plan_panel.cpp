@@ -8,6 +8,7 @@
 
 #include "app/gui/big_number.h"
 #include "app/gui/flr_card_box.h"
+#include "app/gui/measure_box.h"
 #include "app/gui/number_text.h"
 #include "app/gui/plan_bar.h"
 #include "app/gui/plane_editor.h"
@@ -69,6 +70,7 @@ PlanPanel::PlanPanel(Document& document, QWidget* parent)
       tumours_(makeTable("tumourTable", this)),
       vesselsLabel_(new QLabel(this)),
       vessels_(makeTable("vesselTable", this)),
+      measures_(new MeasureBox(document, this)),
       card_(new FlrCardBox(document, this)) {
   setObjectName("planPanel");
   warning_->setObjectName("planWarning");
@@ -80,7 +82,7 @@ PlanPanel::PlanPanel(Document& document, QWidget* parent)
   column->setContentsMargins(6, 4, 6, 4);
   column->setSpacing(3);
   for (QWidget* part : std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_,
-                                                       tumoursLabel_, tumours_, vesselsLabel_, vessels_, card_}) {
+                                                       tumoursLabel_, tumours_, vesselsLabel_, vessels_, measures_, card_}) {
     column->addWidget(part);
   }
   column->setStretchFactor(tumours_, 2);

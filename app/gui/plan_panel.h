@@ -14,6 +14,7 @@ namespace glisson {
 
 class BigNumber;
 class FlrCardBox;
+class MeasureBox;
 class PlanBar;
 class PlaneEditor;
 
@@ -23,6 +24,7 @@ class PlanPanel : public Translated<QWidget> {
   explicit PlanPanel(Document& document, QWidget* parent = nullptr);
   [[nodiscard]] PlaneEditor& planeEditor() { return *editor_; }
   [[nodiscard]] PlanBar& planBar() { return *bar_; }
+  [[nodiscard]] MeasureBox& measureBox() { return *measures_; }
 
  protected:
   void retranslateUi() override;
@@ -48,6 +50,7 @@ class PlanPanel : public Translated<QWidget> {
   QTreeWidget* tumours_;
   QLabel* vesselsLabel_;
   QTreeWidget* vessels_;
+  MeasureBox* measures_;
   FlrCardBox* card_;
 };
 

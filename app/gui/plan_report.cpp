@@ -219,7 +219,7 @@ QString structuresOf(const PlanReport& report) {
     hashes += row({shownName(structure.name), meshHash(made.mesh)});
   }
   return heading(tr("Structures and parameters")) + table(rows) + heading(tr("SHA-256 of the surfaces' vertices and triangles")) +
-         QStringLiteral("<div style=\"font-size:6pt\">") + table(hashes) + QStringLiteral("</div>");
+         QStringLiteral("<div style=\"font-family:'DejaVu Sans Mono'; font-size:6pt\">") + table(hashes) + QStringLiteral("</div>");
 }
 
 QString bodyOf(const PlanReport& report) {
@@ -294,9 +294,7 @@ void writePdf(const PlanReport& report, const QString& path) {
     writer.setCreator(QStringLiteral("Glisson ") + QString::fromStdString(std::string(glissonVersion())));
     QTextDocument document;
     document.documentLayout()->setPaintDevice(&writer);
-    QFont font(QStringLiteral("DejaVu Sans"), 8);
-    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.01);  // no ligatures: a hash is copied as it is written
-    document.setDefaultFont(font);
+    document.setDefaultFont(QFont(QStringLiteral("DejaVu Sans"), 8));
     for (std::size_t n = 0; n < report.views.size(); ++n) {
       document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("view%1").arg(n)), report.views[n]);
     }

@@ -516,6 +516,35 @@ TEST_F(WindowTest, ThreeClicksOnTheModelGiveThePlaneThroughThemAndEscapeGivesUp)
   }
 }
 
+TEST_F(WindowTest, ADistanceBetweenTwoClicksIsKeptInThePlanRemovedAndUndone) {
+  openSmall();
+  ModelView& view = window->views().modelView();
+  auto* list = find<QTreeWidget>("measureList");
+  EXPECT_FALSE(find<QWidget>("removeMeasureButton")->isEnabled());
+  find<QPushButton>("measureButton")->click();
+  ASSERT_TRUE(view.picking());
+  const QPoint middle = view.rect().center();
+  std::vector<Vec3> points;
+  for (const QPoint& at : {middle, middle + QPoint(20, 10)}) {
+    const std::optional<Vec3> point = view.surfaceAt({at.x(), at.y()});
+    ASSERT_TRUE(point.has_value());
+    points.push_back(*point);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+  }
+  EXPECT_FALSE(view.picking());
+  EXPECT_FALSE(document().plane().has_value());  // no plane is placed by it
+  ASSERT_EQ(document().plan().measures.size(), 1U);
+  EXPECT_NEAR(document().plan().measures.front().mm(), (points[1] - points[0]).norm(), 0.2);
+  ASSERT_EQ(list->topLevelItemCount(), 1);
+  EXPECT_TRUE(list->topLevelItem(0)->text(1).contains("mm"));
+  list->setCurrentItem(list->topLevelItem(0));
+  find<QPushButton>("removeMeasureButton")->click();
+  EXPECT_TRUE(document().plan().measures.empty());
+  document().undoStack().undo();
+  EXPECT_EQ(document().plan().measures.size(), 1U);
+  EXPECT_EQ(list->topLevelItemCount(), 1);
+}
+
 TEST_F(WindowTest, ThePlaneAroundATumourKeepsTheMarginAndSaysWhatItIgnores) {
   openSmall();
   find<QDoubleSpinBox>("safetyMargin")->setValue(3);
