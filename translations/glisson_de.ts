@@ -2697,6 +2697,26 @@
         <source>not for clinical use</source>
         <translation>nicht für den klinischen Gebrauch</translation>
     </message>
+    <message>
+        <source>Territories and the remnant&apos;s blood: estimates</source>
+        <translation>Territorien und die Durchblutung des Rests: Schätzungen</translation>
+    </message>
+    <message>
+        <source>Territory</source>
+        <translation>Territorium</translation>
+    </message>
+    <message>
+        <source>resected</source>
+        <translation>Resektat</translation>
+    </message>
+    <message>
+        <source>remnant</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Left and right are proposed from the main bifurcation; nobody has confirmed them.</source>
+        <translation>Links und rechts sind von der Hauptgabelung aus vorgeschlagen; niemand hat sie bestätigt.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::CaseOpener</name>
@@ -4048,6 +4068,96 @@ L %2</translation>
     <message>
         <source>Note: %1</source>
         <translation>Hinweis: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::TerritoryBox</name>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Estimate: no vessel inside the liver is labelled, so nothing is known of the remnant&apos;s blood.</source>
+        <translation>Schätzung: In der Leber ist kein Gefäß markiert, daher ist über die Durchblutung des Rests nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>Estimate of the remnant: devascularised %1, congested %2, either %3. FLR without them %4, %5.</source>
+        <translation>Schätzung für den Rest: ohne Zufluss %1, gestaut %2, eines von beiden %3. FLR ohne sie %4, %5.</translation>
+    </message>
+    <message>
+        <source>Click a branch of the portal vein in the 3D view: it and all behind it become a territory. Escape ends.</source>
+        <translation>Klicken Sie einen Ast der Pfortader in der 3D-Ansicht an: Er und alles dahinter werden ein Territorium. Escape beendet.</translation>
+    </message>
+    <message>
+        <source>Territories (estimates)</source>
+        <translation>Territorien (Schätzungen)</translation>
+    </message>
+    <message>
+        <source>Estimate territories</source>
+        <translation>Territorien schätzen</translation>
+    </message>
+    <message>
+        <source>Left and right are right</source>
+        <translation>Links und rechts stimmen</translation>
+    </message>
+    <message>
+        <source>Pick a branch</source>
+        <translation>Ast wählen</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Links und rechts</translation>
+    </message>
+    <message>
+        <source>Territory</source>
+        <translation>Territorium</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Resected</source>
+        <translation>Reseziert</translation>
+    </message>
+    <message>
+        <source>Out of date until the plane rests</source>
+        <translation>Veraltet, bis die Ebene ruht</translation>
+    </message>
+    <message>
+        <source>Open a case first.</source>
+        <translation>Öffnen Sie zuerst einen Fall.</translation>
+    </message>
+    <message>
+        <source>The vessels&apos; trees are being computed.</source>
+        <translation>Die Gefäßbäume werden berechnet.</translation>
+    </message>
+    <message>
+        <source>Which part of the liver hangs on which branch, and what the plan cuts off from blood</source>
+        <translation>Welcher Teil der Leber an welchem Ast hängt und was der Plan von der Durchblutung abschneidet</translation>
+    </message>
+    <message>
+        <source>You have looked at the proposed left and right and found them right</source>
+        <translation>Sie haben die Vorschläge für links und rechts angesehen und für richtig befunden</translation>
+    </message>
+    <message>
+        <source>Back to left and right as proposed</source>
+        <translation>Zurück zum Vorschlag für links und rechts</translation>
+    </message>
+    <message>
+        <source>Left and right are shown already.</source>
+        <translation>Links und rechts werden schon gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1 of it stays</source>
+        <translation>%1 davon bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::TerritoryEstimator</name>
+    <message>
+        <source>Territories</source>
+        <translation>Territorien</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@ constexpr double kAheadMm = 100;      ///< a line's ends are named this far from
 std::size_t clicksOf(PickKind kind) {
   switch (kind) {
     case PickKind::Point:
+    case PickKind::Branch:
       return 1;
     case PickKind::TwoPoints:
       return 2;

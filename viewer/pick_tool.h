@@ -12,6 +12,7 @@ namespace glisson {
 
 enum class PickKind : std::uint8_t {
   Point,        ///< one click on a surface
+  Branch,       ///< one click on a vessel
   TwoPoints,    ///< two clicks on a surface; the camera may turn in between
   ThreePoints,  ///< three clicks on a surface; the camera may turn in between
   Line          ///< a stroke across the view, pressed, drawn and released

@@ -26,6 +26,7 @@
 #include "app/gui/plane_placer.h"
 #include "app/gui/start_page.h"
 #include "app/gui/structure_list.h"
+#include "app/gui/territory_box.h"
 #include "app/gui/title_line.h"
 #include "app/gui/view_area.h"
 #include "reconstruction/errors.h"
@@ -39,7 +40,8 @@ MainWindow::MainWindow(JobRunner& jobs, Language& language, std::filesystem::pat
       recoveryFolder_(std::move(recoveryFolder)),
       document_(new Document(jobs, recoveryFolder_, this)),
       opener_(new CaseOpener(jobs, this)),
-      builder_(new ModelBuilder(jobs, *document_, this)) {
+      builder_(new ModelBuilder(jobs, *document_, this)),
+      territories_(new TerritoryEstimator(jobs, *document_, this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
   setMinimumSize(1024, 700);
@@ -74,7 +76,7 @@ void MainWindow::build() {
   connect(casePanel, &CasePanel::openRequested, this, &MainWindow::openFiles);
   right_->addWidget(casePanel);
   right_->addWidget(new ModelPanel(*document_, *builder_, right_));
-  plan_ = new PlanPanel(*document_, right_);
+  plan_ = new PlanPanel(*document_, *territories_, right_);
   right_->addWidget(plan_);
   export_ = new ExportPanel(*document_, jobs_, right_);
   right_->addWidget(export_);
@@ -136,6 +138,9 @@ void MainWindow::connectParts() {
   });
   connect(&plan_->planBar(), &PlanBar::refused, this, &MainWindow::complain);
   plan_->measureBox().pointIn(views_->modelView());
+  plan_->territoryBox().pointIn(views_->modelView());
+  connect(&plan_->territoryBox(), &TerritoryBox::hint, jobBar_, &JobBar::tell);
+  connect(territories_, &TerritoryEstimator::refused, this, &MainWindow::complain);
   connect(&plan_->measureBox(), &MeasureBox::hint, jobBar_, &JobBar::tell);
   connect(&plan_->measureBox(), &MeasureBox::refused, this, &MainWindow::complain);
   PlaneEditor& editor = plan_->planeEditor();

@@ -23,6 +23,7 @@ class MessageBar;
 class PlanPanel;
 class PlanePlacer;
 class StartPage;
+class TerritoryEstimator;
 class TitleLine;
 class ViewArea;
 
@@ -87,6 +88,7 @@ class MainWindow : public Translated<QMainWindow> {
   Document* document_;
   CaseOpener* opener_;
   ModelBuilder* builder_;
+  TerritoryEstimator* territories_;
   WorkspaceBar* workspaces_;
   TitleLine* title_;
   MessageBar* messages_;

@@ -13,6 +13,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/plan_report.h"
+#include "app/gui/territory_estimator.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
@@ -135,8 +136,15 @@ void MainWindow::writeReport(const QString& path) {
   if (!document_->isOpen() || document_->freshness() != Freshness::All) {
     throw PlanningError("The plan's numbers are still being computed; try again in a moment.");
   }
-  PlanReport report{document_->content(), document_->plan(), document_->assessment(),
-                    reportViews(document_->content(), document_->plan(), document_->tumourDistance()), false};
+  PlanReport report{document_->content(),
+                    document_->plan(),
+                    document_->assessment(),
+                    reportViews(document_->content(), document_->plan(), document_->tumourDistance()),
+                    false,
+                    {}};
+  if (const TerritoryReport* territories = territories_->report()) {
+    report.territories = *territories;
+  }
   writePdf(report, path);
 }
 

@@ -13,6 +13,7 @@
 #include "app/gui/plan_bar.h"
 #include "app/gui/plane_editor.h"
 #include "app/gui/sentences.h"
+#include "app/gui/territory_box.h"
 #include "planning/report/decisive_tumour.h"
 
 namespace glisson {
@@ -55,7 +56,7 @@ QString marginText(const TumourAssessment& tumour) {
 
 }  // namespace
 
-PlanPanel::PlanPanel(Document& document, QWidget* parent)
+PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidget* parent)
     : Translated<QWidget>(parent),
       document_(document),
       bar_(new PlanBar(document, this)),
@@ -71,6 +72,7 @@ PlanPanel::PlanPanel(Document& document, QWidget* parent)
       vesselsLabel_(new QLabel(this)),
       vessels_(makeTable("vesselTable", this)),
       measures_(new MeasureBox(document, this)),
+      territories_(new TerritoryBox(document, territories, this)),
       card_(new FlrCardBox(document, this)) {
   setObjectName("planPanel");
   warning_->setObjectName("planWarning");
@@ -81,8 +83,9 @@ PlanPanel::PlanPanel(Document& document, QWidget* parent)
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(6, 4, 6, 4);
   column->setSpacing(3);
-  for (QWidget* part : std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_,
-                                                       tumoursLabel_, tumours_, vesselsLabel_, vessels_, measures_, card_}) {
+  for (QWidget* part :
+       std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_, tumoursLabel_,
+                                       tumours_, vesselsLabel_, vessels_, card_, territories_, measures_}) {
     column->addWidget(part);
   }
   column->setStretchFactor(tumours_, 2);

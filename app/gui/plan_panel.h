@@ -17,14 +17,17 @@ class FlrCardBox;
 class MeasureBox;
 class PlanBar;
 class PlaneEditor;
+class TerritoryBox;
+class TerritoryEstimator;
 
 class PlanPanel : public Translated<QWidget> {
   Q_OBJECT
  public:
-  explicit PlanPanel(Document& document, QWidget* parent = nullptr);
+  PlanPanel(Document& document, TerritoryEstimator& territories, QWidget* parent = nullptr);
   [[nodiscard]] PlaneEditor& planeEditor() { return *editor_; }
   [[nodiscard]] PlanBar& planBar() { return *bar_; }
   [[nodiscard]] MeasureBox& measureBox() { return *measures_; }
+  [[nodiscard]] TerritoryBox& territoryBox() { return *territories_; }
 
  protected:
   void retranslateUi() override;
@@ -51,6 +54,7 @@ class PlanPanel : public Translated<QWidget> {
   QLabel* vesselsLabel_;
   QTreeWidget* vessels_;
   MeasureBox* measures_;
+  TerritoryBox* territories_;
   FlrCardBox* card_;
 };
 

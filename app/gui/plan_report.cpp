@@ -10,6 +10,7 @@
 
 #include "app/gui/number_text.h"
 #include "app/gui/sentences.h"
+#include "app/gui/territory_box.h"
 #include "planning/exchange/version.h"
 #include "planning/report/flr_card.h"
 #include "planning/storage/sha256.h"
@@ -175,6 +176,28 @@ QString cardOf(const PlanReport& report) {
   return html;
 }
 
+QString territoriesOf(const PlanReport& report) {
+  if (!report.territories) {
+    return {};
+  }
+  QString html = heading(tr("Territories and the remnant's blood: estimates"));
+  if (!report.territories->volumes.empty()) {
+    QString rows = header({tr("Territory"), tr("volume"), tr("resected"), tr("remnant")});
+    for (const TerritoryVolume& part : report.territories->volumes) {
+      rows += row({shownName(part.name), mlText(part.volumeMl, 1), mlText(part.resectedMl, 1), mlText(part.remnantMl, 1)});
+    }
+    html += table(rows);
+    if (!report.territories->territories.confirmed) {
+      html += paragraph(tr("Left and right are proposed from the main bifurcation; nobody has confirmed them."));
+    }
+  }
+  html += paragraph(perfusionText(report.territories->effect));
+  for (const std::string& note : report.territories->notes) {
+    html += paragraph(shownSentence(note));
+  }
+  return html;
+}
+
 QString planesOf(const PlanReport& report) {
   QString rows = header({tr("Plane"), tr("a point of it, mm LPS"), tr("normal, to the resected side")});
   const auto vector = [](const Vec3& v, int decimals) {
@@ -235,8 +258,8 @@ QString bodyOf(const PlanReport& report) {
   html +=
       paragraph(tr("Pre-operative, supine, rigid: pneumoperitoneum and mobilisation move the liver by centimetres; registration "
                    "error not included. Not for clinical use."));
-  html += QStringLiteral("<div style=\"page-break-before:always\"></div>") + vesselsOf(report) + cardOf(report) + planesOf(report) +
-          structuresOf(report);
+  html += QStringLiteral("<div style=\"page-break-before:always\"></div>") + vesselsOf(report) + cardOf(report) +
+          territoriesOf(report) + planesOf(report) + structuresOf(report);
   return html;
 }
 

@@ -5,8 +5,10 @@
 #include <QImage>
 #include <QString>
 #include <array>
+#include <optional>
 
 #include "planning/case/case.h"
+#include "planning/territories/territory_json.h"
 #include "planning/volumetry/assessment.h"
 #include "planning/volumetry/tumour_distance.h"
 
@@ -15,9 +17,10 @@ namespace glisson {
 struct PlanReport {
   Case content;
   ResectionPlan plan;
-  PlanAssessment assessment;    ///< of this plan
-  std::array<QImage, 3> views;  ///< from anterior, from superior, from the left
-  bool withIdentity = false;    ///< else the code alone stands for the patient
+  PlanAssessment assessment;                     ///< of this plan
+  std::array<QImage, 3> views;                   ///< from anterior, from superior, from the left
+  bool withIdentity = false;                     ///< else the code alone stands for the patient
+  std::optional<TerritoryReport> territories{};  ///< of this plan, where they were estimated
 };
 
 /// The three views of a report, drawn off-screen in full detail. Needs OpenGL; null images where there is none.

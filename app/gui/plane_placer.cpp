@@ -89,15 +89,16 @@ void PlanePlacer::startPick(PickKind kind) {
       return emit hint(tr("Click a point of the model in the 3D view. Escape ends."));
     case PickKind::ThreePoints:
       return emit hint(tr("Click three points of the model in the 3D view; it can be turned in between. Escape ends."));
+    case PickKind::Branch:
     case PickKind::TwoPoints:
-      return;  // a distance: the measure box
+      return;  // no planes
     case PickKind::Line:
       return emit hint(tr("Draw a line across the liver in the 3D view: what lies to its right is resected. Escape ends."));
   }
 }
 
 void PlanePlacer::onPicked(const Pick& pick) {
-  if (pick.kind == PickKind::TwoPoints) {
+  if (pick.kind == PickKind::TwoPoints || pick.kind == PickKind::Branch) {
     return;
   }
   emit hint({});
@@ -108,6 +109,7 @@ void PlanePlacer::onPicked(const Pick& pick) {
         return planeFromCamera(pick.points[0], (pick.points[0] - pick.camera.position).normalized(), pick.camera.up);
       case PickKind::ThreePoints:
         return planeThroughPoints(pick.points[0], pick.points[1], pick.points[2]);
+      case PickKind::Branch:
       case PickKind::TwoPoints:
       case PickKind::Line:
         break;

@@ -545,6 +545,36 @@ TEST_F(WindowTest, ADistanceBetweenTwoClicksIsKeptInThePlanRemovedAndUndone) {
   EXPECT_EQ(list->topLevelItemCount(), 1);
 }
 
+TEST_F(WindowTest, TerritoriesAreEstimatedWhenAskedForFollowThePlanAndTakePickedBranches) {
+  openSmall();
+  EXPECT_FALSE(find<QWidget>("pickTerritory")->isVisibleTo(window.get()));
+  find<QPushButton>("estimateTerritories")->click();
+  auto* table = find<QTreeWidget>("territoryTable");
+  auto* text = find<QLabel>("perfusionText");
+  ASSERT_TRUE(waitFor([&] { return !text->text().isEmpty() && text->isEnabled(); }));
+  EXPECT_EQ(table->topLevelItemCount(), 0);  // one straight vessel does not divide
+  EXPECT_FALSE(find<QLabel>("territoryNotes")->text().isEmpty());
+  EXPECT_FALSE(find<QWidget>("confirmTerritories")->isVisibleTo(window.get()));
+
+  find<QPushButton>("pickTerritory")->click();
+  ModelView& view = window->views().modelView();
+  ASSERT_TRUE(view.picking());
+  const QPoint middle = view.rect().center();
+  QTest::mouseClick(&view, Qt::LeftButton, {}, middle);
+  EXPECT_FALSE(document().plane().has_value());  // no plane is placed by it
+  ASSERT_TRUE(waitFor([&] { return table->topLevelItemCount() == 1 && table->isEnabled(); }));
+  EXPECT_EQ(table->topLevelItem(0)->text(0), "Territory 1");
+  const auto number = [](const QString& ml) { return ml.split(' ').front().split(QChar(0xA0)).front().toDouble(); };
+  EXPECT_EQ(number(table->topLevelItem(0)->text(2)), 0);
+  document().placePlane({smallCentre(), Vec3::UnitX()});
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(waitFor([&] { return number(table->topLevelItem(0)->text(2)) > 0 && table->isEnabled(); }));
+  EXPECT_NEAR(number(table->topLevelItem(0)->text(2)), document().assessment().resectedMl, 0.6);
+  EXPECT_NEAR(number(table->topLevelItem(0)->text(1)), document().assessment().totalMl, 0.6);
+  find<QPushButton>("proposeTerritories")->click();
+  ASSERT_TRUE(waitFor([&] { return table->topLevelItemCount() == 0; }));
+}
+
 TEST_F(WindowTest, ThePlaneAroundATumourKeepsTheMarginAndSaysWhatItIgnores) {
   openSmall();
   find<QDoubleSpinBox>("safetyMargin")->setValue(3);

@@ -1,0 +1,51 @@
+#pragma once
+// Purpose: the estimates of territories and of the remnant's blood beside the plan's numbers: asked for with a button, looked at
+// and confirmed, or made of branches that are clicked in the 3D view. Called estimates throughout.
+
+#include <QGroupBox>
+
+#include "app/gui/territory_estimator.h"
+#include "app/gui/translated.h"
+#include "viewer/model_view.h"
+
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace glisson {
+
+class TerritoryBox : public Translated<QGroupBox> {
+  Q_OBJECT
+ public:
+  TerritoryBox(Document& document, TerritoryEstimator& estimator, QWidget* parent = nullptr);
+  /// Where branches are clicked.
+  void pointIn(ModelView& view);
+
+ signals:
+  /// What to do next while pointing; empty: done.
+  void hint(const QString& text);
+
+ protected:
+  void retranslateUi() override;
+
+ private:
+  void refresh();
+  void refreshButtons();
+  void refreshNumbers(const TerritoryReport& report);
+
+  Document& document_;
+  TerritoryEstimator& estimator_;
+  ModelView* view_ = nullptr;
+  QPushButton* estimate_;
+  QPushButton* confirm_;
+  QPushButton* pick_;
+  QPushButton* propose_;
+  QTreeWidget* parts_;
+  QLabel* perfusion_;
+  QLabel* notes_;
+};
+
+/// "devascularised 12 mL, congested 30 mL, ...": the effect of a plan in a sentence, in the window's language.
+QString perfusionText(const PerfusionEstimate& effect);
+
+}  // namespace glisson

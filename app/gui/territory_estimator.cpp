@@ -1,0 +1,173 @@
+#include "app/gui/territory_estimator.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "reconstruction/errors.h"
+
+namespace glisson {
+
+namespace {
+
+/// The supplying branch whose centreline comes nearest to a point; nothing where there is none.
+std::optional<std::int32_t> nearestBranch(const VesselGraph& portal, const Vec3& pointMm) {
+  std::optional<std::int32_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const VesselSite& site : portal.sites) {
+    const double distance = (site.positionMm - pointMm).norm();
+    if (distance < least && site.branch >= 0 &&
+        portal.branches[static_cast<std::size_t>(site.branch)].role == BranchRole::Supplying) {
+      least = distance;
+      nearest = site.branch;
+    }
+  }
+  return nearest;
+}
+
+/// The first "Territory N" that is free.
+std::string freeName(const std::vector<TerritoryPick>& picks) {
+  for (std::size_t n = picks.size() + 1;; ++n) {
+    const std::string name = "Territory " + std::to_string(n);
+    if (std::ranges::none_of(picks, [&](const TerritoryPick& pick) { return pick.name == name; })) {
+      return name;
+    }
+  }
+}
+
+}  // namespace
+
+TerritoryEstimator::TerritoryEstimator(JobRunner& jobs, Document& document, QObject* parent)
+    : QObject(parent), jobs_(jobs), document_(document) {
+  connect(&document_, &Document::caseChanged, this, &TerritoryEstimator::forget);
+  connect(&document_, &Document::planChanged, this, &TerritoryEstimator::follow);
+}
+
+void TerritoryEstimator::become(State state) {
+  state_ = state;
+  emit changed();
+}
+
+void TerritoryEstimator::forget() {
+  perfusion_.reset();
+  choice_ = {};
+  territories_.reset();
+  report_.reset();
+  become(State::None);
+}
+
+void TerritoryEstimator::estimate() {
+  if (!document_.isOpen() || state_ != State::None) {
+    return;
+  }
+  using Perfusion = std::shared_ptr<const LiverPerfusion>;
+  JobRequest request{.key = "vesselTrees", .title = tr("Territories"), .heavy = true};
+  request.fail = [this](const std::exception& error) {
+    become(State::None);
+    emit refused(messageOf(error));
+  };
+  become(State::Computing);
+  const JobId id = submitFor<Perfusion>(
+      jobs_, std::move(request),
+      [content = document_.content()](const ExecutionContext& context) {
+        return std::make_shared<const LiverPerfusion>(content, context);
+      },
+      [this, code = document_.content().code](const Perfusion& perfusion) {
+        if (document_.content().code == code && state_ == State::Computing) {
+          perfusion_ = perfusion;
+          propose();
+        }
+      });
+  connect(&jobs_, &JobRunner::jobEnded, this, [this, id](JobId ended, JobState how) {
+    if (ended == id && how == JobState::Cancelled && state_ == State::Computing) {
+      become(State::None);
+    }
+  });
+}
+
+void TerritoryEstimator::propose() {
+  if (perfusion_) {
+    divide(proposeLeftRight(perfusion_->portal()));
+  }
+}
+
+void TerritoryEstimator::confirm() {
+  if (isProposal()) {
+    TerritoryChoice confirmed = choice_;
+    confirmed.confirmed = true;
+    divide(std::move(confirmed));
+  }
+}
+
+void TerritoryEstimator::pick(const Vec3& pointMm) {
+  if (!perfusion_) {
+    return;
+  }
+  const std::optional<std::int32_t> branch = nearestBranch(perfusion_->portal(), pointMm);
+  if (!branch) {
+    emit refused(QStringLiteral("No branch of the portal vein supplies the liver here."));
+    return;
+  }
+  TerritoryChoice picked;
+  picked.confirmed = true;  // the user points at it
+  if (isPicked()) {
+    picked.picks = choice_.picks;
+  }
+  picked.picks.push_back({freeName(picked.picks), {*branch}});
+  divide(std::move(picked));
+}
+
+void TerritoryEstimator::divide(TerritoryChoice choice) {
+  if (choice.picks.empty()) {  // nothing to propose: perfusion is told all the same
+    choice_ = std::move(choice);
+    auto none = std::make_shared<Territories>();
+    none->geometry = document_.content().liver->geometry;
+    none->source = choice_.source;
+    none->notes = choice_.notes;
+    territories_ = std::move(none);
+    follow();
+    return;
+  }
+  using Parts = std::shared_ptr<const Territories>;
+  JobRequest request{.key = "territories", .title = tr("Territories")};
+  request.fail = [this](const std::exception& error) {
+    emit refused(messageOf(error));
+    follow();
+  };
+  become(State::Following);
+  submitFor<Parts>(
+      jobs_, std::move(request),
+      [liver = document_.content().liver, perfusion = perfusion_, choice](const ExecutionContext& context) {
+        return std::make_shared<const Territories>(territoriesOf(*liver, perfusion->portal(), choice, context));
+      },
+      [this, perfusion = perfusion_, choice](const Parts& parts) {
+        if (perfusion_ == perfusion) {
+          choice_ = choice;
+          territories_ = parts;
+          follow();
+        }
+      });
+}
+
+void TerritoryEstimator::follow() {
+  if (!perfusion_ || !territories_) {
+    return;
+  }
+  become(State::Following);
+  JobRequest request{.key = "territoryNumbers", .quiet = true};
+  request.fail = [this](const std::exception& error) { emit refused(messageOf(error)); };
+  submitFor<TerritoryReport>(
+      jobs_, std::move(request),
+      [perfusion = perfusion_, territories = territories_, plan = document_.plan()](const ExecutionContext&) {
+        TerritoryReport report{*territories, volumesOf(*territories, plan), perfusion->effectOf(plan), perfusion->notes()};
+        report.notes.insert(report.notes.end(), territories->notes.begin(), territories->notes.end());
+        return report;
+      },
+      [this, territories = territories_](TerritoryReport report) {
+        if (territories_ == territories) {
+          report_ = std::move(report);
+          become(State::Current);
+        }
+      });
+}
+
+}  // namespace glisson

@@ -1,0 +1,59 @@
+#pragma once
+// Purpose: territories of the portal branches and the plan's effect on the remnant's blood, for the open case: estimated when
+// asked, then following the plan. Left and right are proposed until the user confirms them or points at branches. UI thread only.
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/gui/document.h"
+#include "planning/territories/territory_json.h"
+
+namespace glisson {
+
+class TerritoryEstimator : public QObject {
+  Q_OBJECT
+ public:
+  TerritoryEstimator(JobRunner& jobs, Document& document, QObject* parent = nullptr);
+
+  enum class State : std::uint8_t {
+    None,       ///< not asked for
+    Computing,  ///< the vessels' trees, once a case
+    Following,  ///< known; report() is of an older plan or choice for a moment
+    Current
+  };
+  [[nodiscard]] State state() const { return state_; }
+  /// Numbers of the plan as it stands; null unless Current.
+  [[nodiscard]] const TerritoryReport* report() const { return state_ == State::Current && report_ ? &*report_ : nullptr; }
+  /// Left and right as proposed, and not confirmed yet.
+  [[nodiscard]] bool isProposal() const { return !choice_.picks.empty() && !choice_.confirmed; }
+  [[nodiscard]] bool isPicked() const { return choice_.source == TerritorySource::Picked && !choice_.picks.empty(); }
+
+  void estimate();
+  /// A person has looked at the proposed left and right and found them right.
+  void confirm();
+  /// The supplying portal branch nearest to a point, with all behind it, becomes a territory of its own.
+  void pick(const Vec3& pointMm);
+  /// Back to left and right as proposed.
+  void propose();
+
+ signals:
+  void changed();
+  void refused(const QString& sentence);  ///< in English
+
+ private:
+  void forget();
+  void divide(TerritoryChoice choice);
+  void follow();
+  void become(State state);
+
+  JobRunner& jobs_;
+  Document& document_;
+  State state_ = State::None;
+  std::shared_ptr<const LiverPerfusion> perfusion_;
+  TerritoryChoice choice_;
+  std::shared_ptr<const Territories> territories_;
+  std::optional<TerritoryReport> report_;
+};
+
+}  // namespace glisson
