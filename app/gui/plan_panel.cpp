@@ -1,5 +1,8 @@
 #include "app/gui/plan_panel.h"
 
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
@@ -31,6 +34,21 @@ QTreeWidget* makeTable(const QString& name, QWidget* parent) {
   table->header()->setStretchLastSection(false);
   return table;
 }
+
+/// A column of labels whose heights depend on its width: as high as they need, so that a scroll area cuts nothing off.
+class Column : public QWidget {
+ public:
+  using QWidget::QWidget;
+
+ protected:
+  bool event(QEvent* event) override {
+    const bool taken = QWidget::event(event);
+    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) {
+      setMinimumHeight(layout()->minimumHeightForWidth(width()));
+    }
+    return taken;
+  }
+};
 
 QString stateText(TumourState state) {
   switch (state) {
@@ -79,7 +97,7 @@ PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidge
   warning_->setWordWrap(true);
   uncertainty_->setWordWrap(true);
 
-  auto* content = new QWidget(this);
+  auto* content = new Column(this);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(6, 4, 6, 4);
   column->setSpacing(3);
@@ -99,10 +117,29 @@ PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidge
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll);
 
+  // The wheel scrolls the panel; numbers change by it only where the user has clicked into them.
+  const auto keepWheel = [this](const auto& fields) {
+    for (QWidget* field : fields) {
+      field->setFocusPolicy(Qt::StrongFocus);
+      field->installEventFilter(this);
+    }
+  };
+  keepWheel(content->findChildren<QAbstractSpinBox*>());
+  keepWheel(content->findChildren<QComboBox*>());
+
   connect(&document_, &Document::assessmentChanged, this, &PlanPanel::refresh);
   connect(&document_, &Document::planChanged, this, &PlanPanel::refreshPlane);
   connect(&document_, &Document::caseChanged, this, &PlanPanel::refresh);
   retranslateUi();
+}
+
+bool PlanPanel::eventFilter(QObject* watched, QEvent* event) {
+  const auto* field = qobject_cast<QWidget*>(watched);
+  if (event->type() == QEvent::Wheel && field != nullptr && !field->hasFocus()) {
+    event->ignore();  // goes on to the scroll area
+    return true;
+  }
+  return Translated<QWidget>::eventFilter(watched, event);
 }
 
 void PlanPanel::retranslateUi() {

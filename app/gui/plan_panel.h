@@ -30,6 +30,7 @@ class PlanPanel : public Translated<QWidget> {
   [[nodiscard]] TerritoryBox& territoryBox() { return *territories_; }
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void retranslateUi() override;
 
  private:

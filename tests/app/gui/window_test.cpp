@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -573,6 +574,37 @@ TEST_F(WindowTest, TerritoriesAreEstimatedWhenAskedForFollowThePlanAndTakePicked
   EXPECT_NEAR(number(table->topLevelItem(0)->text(1)), document().assessment().totalMl, 0.6);
   find<QPushButton>("proposeTerritories")->click();
   ASSERT_TRUE(waitFor([&] { return table->topLevelItemCount() == 0; }));
+}
+
+TEST_F(WindowTest, TheWheelScrollsThePlanPanelAndChangesNoNumber) {
+  openSmall();
+  document().placePlane({smallCentre(), Vec3::UnitX()});
+  ASSERT_TRUE(settle());
+  find<QWidget>("modelView")->setFocus();
+  const double margin = document().plan().safetyMarginMm;
+  const int steps = document().undoStack().count();
+  for (QWidget* field : find<QWidget>("planPanel")->findChildren<QWidget*>()) {
+    if (qobject_cast<QAbstractSpinBox*>(field) == nullptr && qobject_cast<QComboBox*>(field) == nullptr) {
+      continue;
+    }
+    const QPointF at = field->rect().center();
+    QWheelEvent wheel(at, field->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(field, &wheel);
+  }
+  EXPECT_EQ(document().plan().safetyMarginMm, margin);
+  EXPECT_EQ(document().undoStack().count(), steps);
+}
+
+TEST_F(WindowTest, ThePlanPanelCutsNoTextOff) {
+  openSmall();
+  window->workspaces().setCurrent(Workspace::Plan);
+  QTest::qWait(50);
+  ASSERT_TRUE(find<QWidget>("planPanel")->isVisible());
+  for (const QLabel* label : find<QWidget>("planPanel")->findChildren<QLabel*>()) {
+    if (label->isVisible() && label->wordWrap() && !label->text().isEmpty()) {
+      EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+    }
+  }
 }
 
 TEST_F(WindowTest, ThePlaneAroundATumourKeepsTheMarginAndSaysWhatItIgnores) {
