@@ -1,0 +1,101 @@
+// Measures how long the numbers of a plan take while its plane moves: a drag across the whole liver and back with a wobble, each
+// step as one mouse move.
+//   drag_numbers CASE.glisson [STEPS]     2,000 steps; make the case with glisson-cli model
+// Prints median, 99th percentile and worst of PlanAssessor::volumes() (every mouse move), of cutting the parenchyma's mesh by the
+// plane (drawn with it), and of assess() (when the plane rests). Exit code 4 where the first passes 16 ms at the 99th percentile.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "planning/storage/case_file.h"
+#include "planning/volumetry/assessment.h"
+#include "reconstruction/mesh/cut.h"
+
+namespace glisson {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kFrameMs = 16;
+
+template <typename Work>
+double milliseconds(const Work& work) {
+  const Clock::time_point start = Clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Prints a row; returns the 99th percentile.
+double tell(const char* what, std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  const double p99 = times[(times.size() - 1) * 99 / 100];
+  std::printf("| %s | %zu | %.2f | %.2f | %.2f |\n", what, times.size(), times[times.size() / 2], p99, times.back());
+  return p99;
+}
+
+ResectionPlan planAt(const Case& source, double share) {
+  const LiverVoxels& liver = *source.liver;
+  const IndexBox& box = liver.liver.box();
+  const Vec3 first(box.first[0], box.first[1], box.first[2]);
+  const Vec3 size(box.size[0], box.size[1], box.size[2]);
+  const double turn = 2 * std::numbers::pi * share;
+  const Vec3 at = first + size.cwiseProduct(Vec3(0.5 + 0.48 * std::sin(turn), 0.5, 0.5));
+  const Vec3 normal = Vec3(1, 0.5 * std::sin(7 * turn), 0.3 * std::cos(5 * turn)).normalized();
+  ResectionPlan plan;
+  plan.resections.push_back({.name = "Resection 1", .planes = {{liver.geometry.toWorld(at), normal}}});
+  return plan;
+}
+
+int run(const std::string& path, int steps) {
+  const Case source = CaseFile::open(path).load();
+  const PlanAssessor assessor(source);
+  const Structure* parenchyma = source.model->find("parenchyma");
+  std::vector<double> volumes;
+  std::vector<double> cuts;
+  std::vector<double> whole;
+  for (int n = 0; n < steps; ++n) {
+    const ResectionPlan plan = planAt(source, static_cast<double>(n) / steps);
+    PlanAssessment now;
+    volumes.push_back(milliseconds([&] { now = assessor.volumes(plan); }));
+    if (now.resectedMl + now.remnantMl != now.totalMl) {
+      std::fprintf(stderr, "resected and remnant do not add up at step %d\n", n);
+      return 4;
+    }
+    if (n % 20 == 0) {
+      if (parenchyma != nullptr && parenchyma->reconstruction) {
+        cuts.push_back(milliseconds([&] { (void)cut(parenchyma->reconstruction->mesh, plan.resections[0].planes[0]); }));
+      }
+      whole.push_back(milliseconds([&] { (void)assessor.assess(plan); }));
+    }
+  }
+  std::printf("| numbers | steps | median ms | p99 ms | worst ms |\n|---|---|---|---|---|\n");
+  const double p99 = tell("volumes, each mouse move", volumes);
+  if (!cuts.empty()) {
+    tell("capped halves of the parenchyma's mesh", cuts);
+  }
+  tell("tumours, margins, vessels, when it rests", whole);
+  return p99 <= kFrameMs ? 0 : 4;
+}
+
+}  // namespace
+}  // namespace glisson
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 3) {
+    std::fprintf(stderr, "usage: drag_numbers CASE.glisson [STEPS]\n");
+    return 2;
+  }
+  try {
+    return glisson::run(argv[1], argc > 2 ? std::max(100, std::atoi(argv[2])) : 2000);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "drag_numbers: %s\n", error.what());
+    return 3;
+  }
+}
