@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/mesh_slices.h"
 #include "viewer/slice_outlines.h"
 #include "viewer/slice_painter.h"
 
@@ -34,14 +35,13 @@ std::pair<SliceAxis, SliceAxis> otherAxes(SliceAxis axis) {
   return {SliceAxis::Coronal, SliceAxis::Axial};
 }
 
-/// Outlines come from the voxels: a surface that was made changes nothing in a slice.
 bool looksTheSame(const LiverModel* a, const LiverModel* b) {
   if (a == nullptr || b == nullptr) {
     return a == b;
   }
   return std::ranges::equal(a->structures, b->structures, [](const Structure& one, const Structure& other) {
     return one.kind == other.kind && one.sourceIndex == other.sourceIndex && one.colour == other.colour &&
-           one.visible == other.visible;
+           one.visible == other.visible && one.reconstruction == other.reconstruction;
   });
 }
 
@@ -67,12 +67,16 @@ struct SliceView::Impl {
   Qt::MouseButton button = Qt::NoButton;
   bool levelling = false;
   QPointF last;
-  QPixmap cache;  ///< everything but crosshair, plane and texts; null: draw again
+  std::vector<MeshSlices> surfaces;  ///< of the visible structures, as far as they are made ready
+  QPixmap cache;                     ///< everything but crosshair, plane and texts; null: draw again
 
   [[nodiscard]] QTransform toWidget() const;
   [[nodiscard]] SlicePoint toSlice(const QPointF& pixel) const;
   void drawVoxels(QPainter& painter) const;
   void drawOutlines(QPainter& painter, const QTransform& transform) const;
+  void drawSurfaces(QPainter& painter, const QTransform& transform) const;
+  /// Makes at most one more surface ready, so that the window answers in between; false where all are.
+  bool readyOneMore();
   /// Returns where the texts are.
   [[nodiscard]] std::vector<QRectF> drawTexts(QPainter& painter) const;
   void redraw() {
@@ -110,6 +114,44 @@ void SliceView::Impl::drawVoxels(QPainter& painter) const {
     painter.restore();
   }
   drawOutlines(painter, transform);
+  drawSurfaces(painter, transform);
+}
+
+bool SliceView::Impl::readyOneMore() {
+  if (!model || !geometry) {
+    return false;
+  }
+  const auto isReady = [&](const Structure& structure) {
+    return std::ranges::any_of(surfaces, [&](const MeshSlices& s) { return s.source() == structure.reconstruction.get(); });
+  };
+  for (const Structure& structure : model->structures) {
+    if (structure.visible && structure.reconstruction && !isReady(structure)) {
+      surfaces.emplace_back(structure.reconstruction, *geometry);
+      return true;
+    }
+  }
+  return false;
+}
+
+void SliceView::Impl::drawSurfaces(QPainter& painter, const QTransform& transform) const {
+  if (!model) {
+    return;
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const Structure& structure : model->structures) {
+    const auto surface =
+        std::ranges::find_if(surfaces, [&](const MeshSlices& s) { return s.source() == structure.reconstruction.get(); });
+    if (!structure.visible || !structure.reconstruction || surface == surfaces.end()) {
+      continue;
+    }
+    QVector<QLineF> lines;
+    for (const auto& [a, b] : surface->outline(slice)) {
+      lines.append(QLineF(transform.map(QPointF(a.x(), a.y())), transform.map(QPointF(b.x(), b.y()))));
+    }
+    const auto pale = [](std::uint8_t value) { return 255 - (255 - value) / 3; };
+    painter.setPen(QPen(QColor(pale(structure.colour.r), pale(structure.colour.g), pale(structure.colour.b)), 0.8));
+    painter.drawLines(lines);
+  }
 }
 
 void SliceView::Impl::drawOutlines(QPainter& painter, const QTransform& transform) const {
@@ -191,6 +233,7 @@ void SliceView::setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<c
   d.segmentation = std::move(segmentation);
   d.liver = std::move(liver);
   d.geometry.reset();
+  d.surfaces.clear();
   if (d.ct || d.segmentation) {
     d.geometry = SliceGeometry(d.ct ? d.ct->geometry : d.segmentation->geometry, d.axis);
     const Index3& size = d.geometry->grid.size;
@@ -204,6 +247,11 @@ void SliceView::setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<c
 void SliceView::setModel(std::shared_ptr<const LiverModel> model) {
   const bool redraw = !looksTheSame(impl_->model.get(), model.get());
   impl_->model = std::move(model);
+  std::erase_if(impl_->surfaces, [this](const MeshSlices& surface) {
+    return !impl_->model || std::ranges::none_of(impl_->model->structures, [&](const Structure& structure) {
+      return structure.reconstruction.get() == surface.source();
+    });
+  });
   if (redraw) {
     impl_->redraw();
   }
@@ -255,6 +303,10 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
   } else {
     const double ratio = devicePixelRatioF();
     const QSize pixels(qRound(width() * ratio), qRound(height() * ratio));
+    if (d.readyOneMore()) {
+      d.cache = QPixmap();
+      update();  // the next one in a turn of its own
+    }
     if (d.cache.size() != pixels) {
       d.cache = QPixmap(pixels);
       d.cache.setDevicePixelRatio(ratio);

@@ -1,8 +1,8 @@
 #pragma once
-// Purpose: one of three linked slice views: the CT with the labels' outlines, the crosshair and the plane's line. Drawn with
-// QPainter. Radiological convention: seen from the feet, patient right on the left of the picture; letters R L A P S I at the
-// edges. Mouse: wheel steps, left click places the crosshair, right-drag zooms, middle-drag pans, Ctrl+right-drag window/level;
-// arrow keys step, r resets. The plane's line carries ticks on the resected side.
+// Purpose: one of three linked slice views: the CT with the labels' outlines, those of the surfaces that will be exported (thin and
+// pale), the crosshair and the plane's line. Drawn with QPainter. Radiological convention: seen from the feet, patient right on the
+// left of the picture; letters R L A P S I at the edges. Mouse: wheel steps, left click places the crosshair, right-drag zooms,
+// middle-drag pans, Ctrl+right-drag window/level; arrow keys step, r resets. The plane's line carries ticks on the resected side.
 
 #include <QWidget>
 #include <memory>

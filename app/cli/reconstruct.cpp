@@ -97,6 +97,7 @@ int reconstructAll(const CLI::App& command, const Flags& flags, const ExecutionC
 
   std::vector<Made> all(sets.size());
   std::vector<ReconstructionParameters> parameters;
+  parameters.reserve(sets.size());
   for (const ParameterSet& set : sets) {
     parameters.push_back(set.parameters);
   }
