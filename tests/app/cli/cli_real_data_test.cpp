@@ -158,6 +158,42 @@ TEST_F(Ircadb, UnsmoothedMarchingCubesHasTheBoundsOfTheVoxelFaces) {
   }
 }
 
+/// Every number within a millionth, every word the same.
+void expectGolden(const Json& now, const Json& golden, const std::string& where) {
+  ASSERT_EQ(now.is_number(), golden.is_number()) << where;
+  ASSERT_EQ(now.size(), golden.size()) << where;
+  if (golden.is_object()) {
+    for (const auto& [key, value] : golden.items()) {
+      ASSERT_TRUE(now.contains(key)) << where << "/" << key;
+      expectGolden(now.at(key), value, where + "/" + key);
+    }
+  } else if (golden.is_array()) {
+    for (std::size_t n = 0; n < golden.size(); ++n) {
+      expectGolden(now[n], golden[n], where + "/" + std::to_string(n));
+    }
+  } else if (golden.is_number()) {
+    EXPECT_NEAR(now.get<double>(), golden.get<double>(), 1e-6 * std::max(1.0, std::abs(golden.get<double>()))) << where;
+  } else {
+    EXPECT_EQ(now, golden) << where;
+  }
+}
+
+// Two wedges, one of them through a tumour. ircadb01_plan.json holds numbers measured on 3D-IRCADb-01 case 1 (IRCAD, CC BY-NC-ND
+// 4.0), as they were on 2026-11-29, after they had been looked at.
+TEST_F(Ircadb, APlanOfTwoResectionsHasTheNumbersItHad) {
+  const std::string file = *folder_ / "golden.glisson";
+  std::filesystem::copy_file(std::string(*folder_ / "case.glisson"), file);
+  ASSERT_EQ(cli({"plan", file, "--plane", "98,110,150,1,0,0", "--plane", "120,110,160,0,0,1", "--json"}).exitCode, 0);
+  const Finished finished = cli({"plan", file, "--plane", "100,168,125,0,1,0", "--plane", "100,168,145,0,0,-1", "--json"});
+  ASSERT_EQ(finished.exitCode, 0) << finished.err;
+  std::ifstream golden(std::filesystem::path(sourceFolder()) / "tests/app/cli/ircadb01_plan.json");
+  const Json now = Json::parse(finished.out);
+  expectGolden(now, Json::parse(golden), "");
+  EXPECT_EQ(now["resectedMl"].get<double>() + now["remnantMl"].get<double>(), now["totalMl"].get<double>());
+  EXPECT_NEAR(now["resections"][0]["volumeMl"].get<double>() + now["resections"][1]["volumeMl"].get<double>(),
+              now["resectedMl"].get<double>(), 1e-9);  // the wedges do not meet
+}
+
 TEST_F(Ircadb, PackageOfAPlanIsExportedAndSound) {
   const TemporaryFolder out;
   const std::string file = out / "case.glisson";
