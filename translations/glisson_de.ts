@@ -3133,6 +3133,37 @@
     </message>
 </context>
 <context>
+    <name>glisson::IslandBox</name>
+    <message>
+        <source>Separated pieces</source>
+        <translation>Abgetrennte Stücke</translation>
+    </message>
+    <message>
+        <source>Give to the other side</source>
+        <translation>Der anderen Seite geben</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Out of date until the plane rests</source>
+        <translation>Veraltet, bis die Ebene ruht</translation>
+    </message>
+    <message>
+        <source>of the resected side</source>
+        <translation>des Resektats</translation>
+    </message>
+    <message>
+        <source>of the remnant</source>
+        <translation>des Rests</translation>
+    </message>
+    <message>
+        <source>%1 of functional liver; a marked piece counts on the other side</source>
+        <translation>%1 funktionelle Leber; ein markiertes Stück zählt zur anderen Seite</translation>
+    </message>
+</context>
+<context>
     <name>glisson::JobBar</name>
     <message>
         <source>Shows what waits, each with its Cancel</source>
@@ -3726,7 +3757,7 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     </message>
     <message>
         <source>Volume on the resected side, and its share of the whole liver</source>
-        <translation>Volumen auf der Resektatseite und sein Anteil an der ganzen Leber</translation>
+        <translation>Volumen auf des Resektats und sein Anteil an der ganzen Leber</translation>
     </message>
     <message>
         <source>REMNANT</source>

@@ -13,6 +13,7 @@
 #include "app/gui/case_panel.h"
 #include "app/gui/compare_window.h"
 #include "app/gui/export_panel.h"
+#include "app/gui/island_box.h"
 #include "app/gui/job_bar.h"
 #include "app/gui/main_actions.h"
 #include "app/gui/measure_box.h"
@@ -138,6 +139,8 @@ void MainWindow::connectParts() {
   });
   connect(&plan_->planBar(), &PlanBar::refused, this, &MainWindow::complain);
   plan_->measureBox().pointIn(views_->modelView());
+  connect(&plan_->islandBox(), &IslandBox::chosen, views_, &ViewArea::setCrosshair);
+  connect(&plan_->islandBox(), &IslandBox::refused, this, &MainWindow::complain);
   plan_->territoryBox().pointIn(views_->modelView());
   connect(&plan_->territoryBox(), &TerritoryBox::hint, jobBar_, &JobBar::tell);
   connect(territories_, &TerritoryEstimator::refused, this, &MainWindow::complain);

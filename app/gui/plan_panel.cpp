@@ -11,6 +11,7 @@
 
 #include "app/gui/big_number.h"
 #include "app/gui/flr_card_box.h"
+#include "app/gui/island_box.h"
 #include "app/gui/measure_box.h"
 #include "app/gui/number_text.h"
 #include "app/gui/plan_bar.h"
@@ -89,6 +90,7 @@ PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidge
       tumours_(makeTable("tumourTable", this)),
       vesselsLabel_(new QLabel(this)),
       vessels_(makeTable("vesselTable", this)),
+      islands_(new IslandBox(document, this)),
       measures_(new MeasureBox(document, this)),
       territories_(new TerritoryBox(document, territories, this)),
       card_(new FlrCardBox(document, this)) {
@@ -103,7 +105,7 @@ PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidge
   column->setSpacing(3);
   for (QWidget* part :
        std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_, tumoursLabel_,
-                                       tumours_, vesselsLabel_, vessels_, card_, territories_, measures_}) {
+                                       tumours_, vesselsLabel_, vessels_, islands_, card_, territories_, measures_}) {
     column->addWidget(part);
   }
   column->setStretchFactor(tumours_, 2);

@@ -14,6 +14,7 @@ namespace glisson {
 
 class BigNumber;
 class FlrCardBox;
+class IslandBox;
 class MeasureBox;
 class PlanBar;
 class PlaneEditor;
@@ -27,6 +28,7 @@ class PlanPanel : public Translated<QWidget> {
   [[nodiscard]] PlaneEditor& planeEditor() { return *editor_; }
   [[nodiscard]] PlanBar& planBar() { return *bar_; }
   [[nodiscard]] MeasureBox& measureBox() { return *measures_; }
+  [[nodiscard]] IslandBox& islandBox() { return *islands_; }
   [[nodiscard]] TerritoryBox& territoryBox() { return *territories_; }
 
  protected:
@@ -54,6 +56,7 @@ class PlanPanel : public Translated<QWidget> {
   QTreeWidget* tumours_;
   QLabel* vesselsLabel_;
   QTreeWidget* vessels_;
+  IslandBox* islands_;
   MeasureBox* measures_;
   TerritoryBox* territories_;
   FlrCardBox* card_;

@@ -576,6 +576,42 @@ TEST_F(WindowTest, TerritoriesAreEstimatedWhenAskedForFollowThePlanAndTakePicked
   ASSERT_TRUE(waitFor([&] { return table->topLevelItemCount() == 0; }));
 }
 
+TEST_F(WindowTest, ASeparatedPieceIsGivenToTheOtherSideAndBack) {
+  // two legs on a bar: a plane across both leaves two pieces above it
+  const Vec3 c = smallCentre();
+  auto segmentation = std::make_shared<Segmentation>();
+  segmentation->geometry = test::smallGrid();
+  LabelledMask liver;
+  liver.name = "liver";
+  liver.label = 1;
+  liver.kind = StructureKind::Liver;
+  liver.mask = std::make_shared<const Mask>(test::maskWhere(segmentation->geometry, [c](const Vec3& p) {
+    const Vec3 d = p - c;
+    const bool bar = std::abs(d.x()) < 40 && d.z() < -10;
+    const bool legs = (d.x() < -20 && d.x() > -40) || (d.x() > 28 && d.x() < 40);
+    return std::abs(d.y()) < 15 && std::abs(d.z()) < 30 && (bar || legs);
+  }));
+  segmentation->structures.push_back(liver);
+  emit window->opener().opened(newCase(nullptr, segmentation), nullptr, {});
+  window->workspaces().setCurrent(Workspace::Plan);
+  auto* list = find<QTreeWidget>("islandList");
+  EXPECT_FALSE(find<QWidget>("islandBox")->isVisible());
+  document().placePlane({c, Vec3::UnitZ()});
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(waitFor([&] { return list->topLevelItemCount() == 1; }));
+  EXPECT_TRUE(find<QWidget>("islandBox")->isVisible());
+  const double island = document().assessment().islands.front().volumeMl;
+  const double resected = document().assessment().resectedMl;
+  list->topLevelItem(0)->setCheckState(0, Qt::Checked);
+  ASSERT_TRUE(settle());
+  EXPECT_NEAR(document().assessment().resectedMl, resected - island, 1e-9);
+  EXPECT_EQ(list->topLevelItem(0)->checkState(0), Qt::Checked);
+  list->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
+  ASSERT_TRUE(settle());
+  EXPECT_NEAR(document().assessment().resectedMl, resected, 1e-9);
+  EXPECT_TRUE(document().plan().islands.empty());
+}
+
 TEST_F(WindowTest, TheWheelScrollsThePlanPanelAndChangesNoNumber) {
   openSmall();
   document().placePlane({smallCentre(), Vec3::UnitX()});

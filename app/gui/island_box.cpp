@@ -1,0 +1,95 @@
+#include "app/gui/island_box.h"
+
+#include <QHeaderView>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/number_text.h"
+#include "app/jobs/job_runner.h"
+#include "reconstruction/errors.h"
+
+namespace glisson {
+
+namespace {
+
+constexpr int kListHeight = 72;
+
+PlanSide otherSide(PlanSide side) { return side == PlanSide::Resected ? PlanSide::Remnant : PlanSide::Resected; }
+
+}  // namespace
+
+IslandBox::IslandBox(Document& document, QWidget* parent)
+    : Translated<QGroupBox>(parent), document_(document), list_(new QTreeWidget(this)) {
+  setObjectName("islandBox");
+  list_->setObjectName("islandList");
+  list_->setRootIsDecorated(false);
+  list_->setColumnCount(2);
+  list_->setFixedHeight(kListHeight);
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 2, 4, 4);
+  layout->addWidget(list_);
+  connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* row, int column) {
+    if (!refreshing_ && column == 0) {
+      give(*row);
+    }
+  });
+  connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) {
+    if (!refreshing_ && row != nullptr) {
+      emit chosen(document_.assessment().islands[static_cast<std::size_t>(list_->indexOfTopLevelItem(row))].point);
+    }
+  });
+  connect(&document_, &Document::assessmentChanged, this, &IslandBox::refresh);
+  connect(&document_, &Document::caseChanged, this, &IslandBox::refresh);
+  retranslateUi();
+}
+
+void IslandBox::retranslateUi() {
+  setTitle(tr("Separated pieces"));
+  list_->setHeaderLabels({tr("Give to the other side"), tr("Volume")});
+  refresh();
+}
+
+void IslandBox::refresh() {
+  const bool current = document_.isOpen() && document_.freshness() == Freshness::All;
+  const std::vector<IslandAssessment>& islands = document_.assessment().islands;
+  list_->setEnabled(current);
+  list_->setToolTip(current ? QString() : tr("Out of date until the plane rests"));
+  if (document_.isOpen() && document_.freshness() != Freshness::All) {
+    return;  // the old ones stay until the new ones are known
+  }
+  refreshing_ = true;
+  list_->clear();
+  if (current) {
+    for (const IslandAssessment& island : islands) {
+      const QString side = island.side == PlanSide::Resected ? tr("of the resected side") : tr("of the remnant");
+      auto* row = new QTreeWidgetItem(list_, {side, mlText(island.volumeMl, 1)});
+      row->setCheckState(0, island.assigned ? Qt::Checked : Qt::Unchecked);
+      row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+      row->setToolTip(0, tr("%1 of functional liver; a marked piece counts on the other side").arg(mlText(island.functionalMl, 1)));
+    }
+  }
+  setVisible(list_->topLevelItemCount() > 0);
+  refreshing_ = false;
+}
+
+void IslandBox::give(QTreeWidgetItem& row) {
+  const IslandAssessment island = document_.assessment().islands[static_cast<std::size_t>(list_->indexOfTopLevelItem(&row))];
+  try {
+    if (row.checkState(0) == Qt::Checked) {
+      document_.edit(AssignIsland{{.point = island.point, .to = otherSide(island.side)}});
+      return;
+    }
+    const std::vector<IslandAssignment>& given = document_.plan().islands;
+    const auto nearest =
+        std::ranges::min_element(given, {}, [&](const IslandAssignment& one) { return (one.point - island.point).squaredNorm(); });
+    document_.edit(ReleaseIsland{static_cast<std::size_t>(nearest - given.begin())});
+  } catch (const Error& error) {
+    emit refused(messageOf(error));
+  }
+}
+
+}  // namespace glisson
