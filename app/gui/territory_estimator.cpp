@@ -39,7 +39,22 @@ std::string freeName(const std::vector<TerritoryPick>& picks) {
 TerritoryEstimator::TerritoryEstimator(JobRunner& jobs, Document& document, QObject* parent)
     : QObject(parent), jobs_(jobs), document_(document) {
   connect(&document_, &Document::caseChanged, this, &TerritoryEstimator::forget);
-  connect(&document_, &Document::planChanged, this, &TerritoryEstimator::follow);
+  connect(&document_, &Document::planChanged, this, [this] {
+    if (state_ == State::Current && !(document_.plan() == reported_)) {
+      become(State::Following);
+    }
+  });
+  // A drag moves the plane often; the estimates follow when it rests.
+  connect(&document_, &Document::assessmentChanged, this, [this] {
+    if (state_ == State::Following && document_.freshness() == Freshness::All) {
+      follow();
+    }
+  });
+  connect(&jobs_, &JobRunner::jobEnded, this, [this](JobId ended, JobState how) {
+    if (ended == trees_ && how == JobState::Cancelled && state_ == State::Computing) {
+      become(State::None);
+    }
+  });
 }
 
 void TerritoryEstimator::become(State state) {
@@ -66,7 +81,7 @@ void TerritoryEstimator::estimate() {
     emit refused(messageOf(error));
   };
   become(State::Computing);
-  const JobId id = submitFor<Perfusion>(
+  trees_ = submitFor<Perfusion>(
       jobs_, std::move(request),
       [content = document_.content()](const ExecutionContext& context) {
         return std::make_shared<const LiverPerfusion>(content, context);
@@ -77,11 +92,6 @@ void TerritoryEstimator::estimate() {
           propose();
         }
       });
-  connect(&jobs_, &JobRunner::jobEnded, this, [this, id](JobId ended, JobState how) {
-    if (ended == id && how == JobState::Cancelled && state_ == State::Computing) {
-      become(State::None);
-    }
-  });
 }
 
 void TerritoryEstimator::propose() {
@@ -162,9 +172,10 @@ void TerritoryEstimator::follow() {
         report.notes.insert(report.notes.end(), territories->notes.begin(), territories->notes.end());
         return report;
       },
-      [this, territories = territories_](TerritoryReport report) {
-        if (territories_ == territories) {
+      [this, territories = territories_, plan = document_.plan()](TerritoryReport report) {
+        if (territories_ == territories && document_.plan() == plan) {
           report_ = std::move(report);
+          reported_ = plan;
           become(State::Current);
         }
       });

@@ -50,10 +50,12 @@ class TerritoryEstimator : public QObject {
   JobRunner& jobs_;
   Document& document_;
   State state_ = State::None;
+  JobId trees_ = 0;  ///< the job that makes the vessels' trees
   std::shared_ptr<const LiverPerfusion> perfusion_;
   TerritoryChoice choice_;
   std::shared_ptr<const Territories> territories_;
   std::optional<TerritoryReport> report_;
+  ResectionPlan reported_;  ///< what report_ is of
 };
 
 }  // namespace glisson

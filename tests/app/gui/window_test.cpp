@@ -572,6 +572,18 @@ TEST_F(WindowTest, TerritoriesAreEstimatedWhenAskedForFollowThePlanAndTakePicked
   ASSERT_TRUE(waitFor([&] { return number(table->topLevelItem(0)->text(2)) > 0 && table->isEnabled(); }));
   EXPECT_NEAR(number(table->topLevelItem(0)->text(2)), document().assessment().resectedMl, 0.6);
   EXPECT_NEAR(number(table->topLevelItem(0)->text(1)), document().assessment().totalMl, 0.6);
+  // while the plane is dragged they are out of date; when it rests they are its own
+  document().beginDrag();
+  for (int mm = 1; mm <= 9; ++mm) {
+    document().dragTo({smallCentre() + Vec3(mm, 0, 0), Vec3::UnitX()});
+    EXPECT_FALSE(table->isEnabled());
+  }
+  document().endDrag({smallCentre() + Vec3(9, 0, 0), Vec3::UnitX()});
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(waitFor([&] { return table->isEnabled(); }));
+  EXPECT_NEAR(number(table->topLevelItem(0)->text(2)), document().assessment().resectedMl, 0.6);
+  document().choose(document().chosen());
+  EXPECT_TRUE(table->isEnabled());
   find<QPushButton>("proposeTerritories")->click();
   ASSERT_TRUE(waitFor([&] { return table->topLevelItemCount() == 0; }));
 }
