@@ -27,7 +27,7 @@ std::optional<std::int32_t> nearestBranch(const VesselGraph& portal, const Vec3&
 /// The first "Territory N" that is free.
 std::string freeName(const std::vector<TerritoryPick>& picks) {
   for (std::size_t n = picks.size() + 1;; ++n) {
-    const std::string name = "Territory " + std::to_string(n);
+    std::string name = "Territory " + std::to_string(n);
     if (std::ranges::none_of(picks, [&](const TerritoryPick& pick) { return pick.name == name; })) {
       return name;
     }
