@@ -2439,6 +2439,10 @@
         <source>The plan&apos;s numbers are still being computed; try again in a moment.</source>
         <translation>Die Zahlen des Plans werden noch berechnet; versuchen Sie es gleich noch einmal.</translation>
     </message>
+    <message>
+        <source>Territory %1</source>
+        <translation>Territorium %1</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -4182,6 +4186,18 @@ L %2</translation>
     <message>
         <source>%1 of it stays</source>
         <translation>%1 davon bleiben</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>unassigned</source>
+        <translation>nicht zugeordnet</translation>
     </message>
 </context>
 <context>

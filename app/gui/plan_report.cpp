@@ -26,10 +26,8 @@ constexpr int kDotsPerInch = 150;
 constexpr double kMarginMm = 15;
 constexpr int kFooterMm = 12;
 
-struct ReportText {
-  Q_DECLARE_TR_FUNCTIONS(glisson::PlanReport)
-};
-QString tr(const char* text) { return ReportText::tr(text); }
+/// lupdate files what stands in tr() outside of classes under the namespace.
+QString tr(const char* text) { return QCoreApplication::translate("glisson", text); }
 
 QString cell(const QString& text, bool number = false) {
   return QStringLiteral("<td%1>%2</td>").arg(number ? QStringLiteral(" align=\"right\"") : QString(), text.toHtmlEscaped());
@@ -184,7 +182,7 @@ QString territoriesOf(const PlanReport& report) {
   if (!report.territories->volumes.empty()) {
     QString rows = header({tr("Territory"), tr("volume"), tr("resected"), tr("remnant")});
     for (const TerritoryVolume& part : report.territories->volumes) {
-      rows += row({shownName(part.name), mlText(part.volumeMl, 1), mlText(part.resectedMl, 1), mlText(part.remnantMl, 1)});
+      rows += row({territoryName(part.name), mlText(part.volumeMl, 1), mlText(part.resectedMl, 1), mlText(part.remnantMl, 1)});
     }
     html += table(rows);
     if (!report.territories->territories.confirmed) {

@@ -63,6 +63,7 @@ constexpr auto kNames = std::to_array<SentenceRow>({
     {"kn", QT_TRANSLATE_NOOP("Sentence", "%1 of layer %2")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Resection %1")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Distance %1")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "Territory %1")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Plan %1")},
 });
 

@@ -19,6 +19,16 @@ QString mlOrUnknown(const std::optional<double>& ml) { return ml ? mlText(*ml, 1
 
 }  // namespace
 
+QString territoryName(const std::string& name) {
+  if (name == "left") {
+    return TerritoryBox::tr("left");
+  }
+  if (name == "right") {
+    return TerritoryBox::tr("right");
+  }
+  return name == "unassigned" ? TerritoryBox::tr("unassigned") : shownName(name);
+}
+
 QString perfusionText(const PerfusionEstimate& effect) {
   if (!effect.isKnown()) {
     return TerritoryBox::tr("Estimate: no vessel inside the liver is labelled, so nothing is known of the remnant's blood.");
@@ -137,7 +147,7 @@ void TerritoryBox::refreshButtons() {
 void TerritoryBox::refreshNumbers(const TerritoryReport& report) {
   parts_->clear();
   for (const TerritoryVolume& part : report.volumes) {
-    auto* row = new QTreeWidgetItem(parts_, {shownName(part.name), mlText(part.volumeMl), mlText(part.resectedMl)});
+    auto* row = new QTreeWidgetItem(parts_, {territoryName(part.name), mlText(part.volumeMl), mlText(part.resectedMl)});
     row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     row->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
     row->setToolTip(0, tr("%1 of it stays").arg(mlText(part.remnantMl, 1)));

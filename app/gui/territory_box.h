@@ -45,6 +45,9 @@ class TerritoryBox : public Translated<QGroupBox> {
   QLabel* notes_;
 };
 
+/// In the window's language. A name of its own: elsewhere "left" is a tumour that stays.
+QString territoryName(const std::string& name);
+
 /// "devascularised 12 mL, congested 30 mL, ...": the effect of a plan in a sentence, in the window's language.
 QString perfusionText(const PerfusionEstimate& effect);
 
