@@ -2490,18 +2490,6 @@
 <context>
     <name>glisson</name>
     <message>
-        <source>removed</source>
-        <translation>entfernt</translation>
-    </message>
-    <message>
-        <source>cut</source>
-        <translation>angeschnitten</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>belassen</translation>
-    </message>
-    <message>
         <source>CT of %1</source>
         <translation>CT vom %1</translation>
     </message>

@@ -45,6 +45,14 @@ bool looksTheSame(const LiverModel* a, const LiverModel* b) {
   });
 }
 
+void drawSegments(QPainter& painter, const QTransform& transform, const std::vector<std::pair<SlicePoint, SlicePoint>>& segments) {
+  QVector<QLineF> lines;
+  for (const auto& [a, b] : segments) {
+    lines.append(QLineF(transform.map(QPointF(a.x(), a.y())), transform.map(QPointF(b.x(), b.y()))));
+  }
+  painter.drawLines(lines);
+}
+
 }  // namespace
 
 struct SliceView::Impl {
@@ -75,6 +83,8 @@ struct SliceView::Impl {
   void drawVoxels(QPainter& painter) const;
   void drawOutlines(QPainter& painter, const QTransform& transform) const;
   void drawSurfaces(QPainter& painter, const QTransform& transform) const;
+  /// Null where it is not ready yet.
+  [[nodiscard]] const MeshSlices* surfaceOf(const Structure& structure) const;
   /// Makes at most one more surface ready, so that the window answers in between; false where all are.
   bool readyOneMore();
   /// Returns where the texts are.
@@ -117,15 +127,18 @@ void SliceView::Impl::drawVoxels(QPainter& painter) const {
   drawSurfaces(painter, transform);
 }
 
+const MeshSlices* SliceView::Impl::surfaceOf(const Structure& structure) const {
+  const auto found =
+      std::ranges::find_if(surfaces, [&](const MeshSlices& s) { return s.source() == structure.reconstruction.get(); });
+  return found == surfaces.end() ? nullptr : &*found;
+}
+
 bool SliceView::Impl::readyOneMore() {
   if (!model || !geometry) {
     return false;
   }
-  const auto isReady = [&](const Structure& structure) {
-    return std::ranges::any_of(surfaces, [&](const MeshSlices& s) { return s.source() == structure.reconstruction.get(); });
-  };
   for (const Structure& structure : model->structures) {
-    if (structure.visible && structure.reconstruction && !isReady(structure)) {
+    if (structure.visible && structure.reconstruction && surfaceOf(structure) == nullptr) {
       surfaces.emplace_back(structure.reconstruction, *geometry);
       return true;
     }
@@ -139,18 +152,13 @@ void SliceView::Impl::drawSurfaces(QPainter& painter, const QTransform& transfor
   }
   painter.setRenderHint(QPainter::Antialiasing);
   for (const Structure& structure : model->structures) {
-    const auto surface =
-        std::ranges::find_if(surfaces, [&](const MeshSlices& s) { return s.source() == structure.reconstruction.get(); });
-    if (!structure.visible || !structure.reconstruction || surface == surfaces.end()) {
+    const MeshSlices* surface = surfaceOf(structure);
+    if (!structure.visible || surface == nullptr) {
       continue;
-    }
-    QVector<QLineF> lines;
-    for (const auto& [a, b] : surface->outline(slice)) {
-      lines.append(QLineF(transform.map(QPointF(a.x(), a.y())), transform.map(QPointF(b.x(), b.y()))));
     }
     const auto pale = [](std::uint8_t value) { return 255 - (255 - value) / 3; };
     painter.setPen(QPen(QColor(pale(structure.colour.r), pale(structure.colour.g), pale(structure.colour.b)), 0.8));
-    painter.drawLines(lines);
+    drawSegments(painter, transform, surface->outline(slice));
   }
 }
 
@@ -168,12 +176,8 @@ void SliceView::Impl::drawOutlines(QPainter& painter, const QTransform& transfor
     const bool counted = structure.kind == StructureKind::Liver && liver != nullptr;
     const Mask& mask = counted ? liver->liver : *segmentation->structures[source].mask;
     const ImageGeometry& grid = counted ? liver->geometry : segmentation->geometry;
-    QVector<QLineF> lines;
-    for (const auto& [a, b] : outlineOf(mask, grid, *geometry, slice)) {
-      lines.append(QLineF(transform.map(QPointF(a.x(), a.y())), transform.map(QPointF(b.x(), b.y()))));
-    }
     painter.setPen(QPen(QColor(structure.colour.r, structure.colour.g, structure.colour.b), 1.4));
-    painter.drawLines(lines);
+    drawSegments(painter, transform, outlineOf(mask, grid, *geometry, slice));
   }
 }
 

@@ -1,10 +1,10 @@
 #include "app/gui/island_box.h"
 
-#include <QHeaderView>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/narrow_table.h"
 #include "app/gui/number_text.h"
 #include "app/jobs/job_runner.h"
 #include "reconstruction/errors.h"
@@ -23,12 +23,8 @@ IslandBox::IslandBox(Document& document, QWidget* parent)
     : Translated<QGroupBox>(parent), document_(document), list_(new QTreeWidget(this)) {
   setObjectName("islandBox");
   list_->setObjectName("islandList");
-  list_->setRootIsDecorated(false);
-  list_->setColumnCount(2);
+  makeNarrow(*list_, 2);
   list_->setFixedHeight(kListHeight);
-  list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 4);
   layout->addWidget(list_);

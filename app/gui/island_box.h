@@ -12,7 +12,7 @@ class QTreeWidgetItem;
 
 namespace glisson {
 
-class IslandBox : public Translated<QGroupBox> {
+class IslandBox final : public Translated<QGroupBox> {
   Q_OBJECT
  public:
   explicit IslandBox(Document& document, QWidget* parent = nullptr);

@@ -1,11 +1,11 @@
 #include "app/gui/measure_box.h"
 
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "app/gui/narrow_table.h"
 #include "app/gui/number_text.h"
 #include "app/gui/sentences.h"
 #include "app/jobs/job_runner.h"
@@ -25,12 +25,8 @@ MeasureBox::MeasureBox(Document& document, QWidget* parent)
       remove_(new QPushButton(this)) {
   setObjectName("measureBox");
   list_->setObjectName("measureList");
-  list_->setRootIsDecorated(false);
-  list_->setColumnCount(2);
+  makeNarrow(*list_, 2);
   list_->setFixedHeight(kListHeight);
-  list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   measure_->setObjectName("measureButton");
   remove_->setObjectName("removeMeasureButton");
   auto* layout = new QVBoxLayout(this);

@@ -12,7 +12,7 @@ class QTreeWidget;
 
 namespace glisson {
 
-class MeasureBox : public Translated<QGroupBox> {
+class MeasureBox final : public Translated<QGroupBox> {
   Q_OBJECT
  public:
   explicit MeasureBox(Document& document, QWidget* parent = nullptr);

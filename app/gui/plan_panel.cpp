@@ -3,7 +3,6 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QEvent>
-#include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
 #include <QTreeWidget>
@@ -13,6 +12,7 @@
 #include "app/gui/flr_card_box.h"
 #include "app/gui/island_box.h"
 #include "app/gui/measure_box.h"
+#include "app/gui/narrow_table.h"
 #include "app/gui/number_text.h"
 #include "app/gui/plan_bar.h"
 #include "app/gui/plane_editor.h"
@@ -24,15 +24,14 @@ namespace glisson {
 
 namespace {
 
-QTreeWidget* makeTable(const QString& name, QWidget* parent) {
+QTreeWidget* makeTable(const QString& name, int columns, QWidget* parent) {
   auto* table = new QTreeWidget(parent);
   table->setObjectName(name);
-  table->setRootIsDecorated(false);
+  makeNarrow(*table, columns);
   table->setSelectionMode(QAbstractItemView::NoSelection);
   table->setTextElideMode(Qt::ElideMiddle);  // livertumor01 and livertumor02 differ at the end
   table->setMinimumHeight(96);
   table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // shares what room is left
-  table->header()->setStretchLastSection(false);
   return table;
 }
 
@@ -51,18 +50,6 @@ class Column : public QWidget {
   }
 };
 
-QString stateText(TumourState state) {
-  switch (state) {
-    case TumourState::Removed:
-      return PlanPanel::tr("removed");
-    case TumourState::Cut:
-      return PlanPanel::tr("cut");
-    case TumourState::Left:
-      break;
-  }
-  return PlanPanel::tr("left");
-}
-
 QString marginText(const TumourAssessment& tumour) {
   if (tumour.marginMm) {
     // one unit for both numbers: the column is narrow
@@ -74,6 +61,18 @@ QString marginText(const TumourAssessment& tumour) {
 }
 
 }  // namespace
+
+QString stateText(TumourState state) {
+  switch (state) {
+    case TumourState::Removed:
+      return PlanPanel::tr("removed");
+    case TumourState::Cut:
+      return PlanPanel::tr("cut");
+    case TumourState::Left:
+      break;
+  }
+  return PlanPanel::tr("left");
+}
 
 PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidget* parent)
     : Translated<QWidget>(parent),
@@ -87,9 +86,9 @@ PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidge
       uncertainty_(new QLabel(this)),
       editor_(new PlaneEditor(this)),
       tumoursLabel_(new QLabel(this)),
-      tumours_(makeTable("tumourTable", this)),
+      tumours_(makeTable("tumourTable", 3, this)),
       vesselsLabel_(new QLabel(this)),
-      vessels_(makeTable("vesselTable", this)),
+      vessels_(makeTable("vesselTable", 2, this)),
       islands_(new IslandBox(document, this)),
       measures_(new MeasureBox(document, this)),
       territories_(new TerritoryBox(document, territories, this)),
@@ -233,9 +232,6 @@ void PlanPanel::refreshTables() {
   const auto grey = [&](QTreeWidget* table) {
     table->setEnabled(computed);
     table->setToolTip(computed ? QString() : tr("Out of date until the plane rests"));
-    for (int column = 0; column < table->columnCount(); ++column) {
-      table->header()->setSectionResizeMode(column, column == 0 ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
-    }
   };
   grey(tumours_);
   grey(vessels_);

@@ -62,4 +62,7 @@ class PlanPanel : public Translated<QWidget> {
   FlrCardBox* card_;
 };
 
+/// "removed", "cut", "left", in the window's language.
+QString stateText(TumourState state);
+
 }  // namespace glisson

@@ -9,6 +9,7 @@
 #include <QTextDocument>
 
 #include "app/gui/number_text.h"
+#include "app/gui/plan_panel.h"
 #include "app/gui/sentences.h"
 #include "app/gui/territory_box.h"
 #include "planning/exchange/version.h"
@@ -57,18 +58,6 @@ QString table(const QString& rows) {
 QString heading(const QString& text) { return QStringLiteral("<h3>") + text.toHtmlEscaped() + QStringLiteral("</h3>"); }
 
 QString paragraph(const QString& text) { return QStringLiteral("<p>") + text.toHtmlEscaped() + QStringLiteral("</p>"); }
-
-QString stateName(TumourState state) {
-  switch (state) {
-    case TumourState::Removed:
-      return tr("removed");
-    case TumourState::Cut:
-      return tr("cut");
-    case TumourState::Left:
-      break;
-  }
-  return tr("left");
-}
 
 QString patientLine(const PlanReport& report) {
   const PatientIdentity& patient = report.content.identity;
@@ -123,7 +112,7 @@ QString tumoursOf(const PlanReport& report) {
     const QString margin = tumour.marginMm     ? mmText(*tumour.marginMm)
                            : tumour.distanceMm ? tr("%1 from the cut").arg(mmText(*tumour.distanceMm))
                                                : QString();
-    rows += row({shownName(tumour.name), volume, diameter, capsule, vessel, stateName(tumour.state), margin,
+    rows += row({shownName(tumour.name), volume, diameter, capsule, vessel, stateText(tumour.state), margin,
                  tumour.marginAtLeastMm ? mmText(*tumour.marginAtLeastMm) : QString()});
   }
   return heading(tr("Tumours (safety margin %1)").arg(mmText(report.plan.safetyMarginMm))) + table(rows);

@@ -2,7 +2,6 @@
 
 #include <QColorDialog>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -14,6 +13,7 @@
 
 #include "app/gui/label_dialog.h"
 #include "app/gui/model_builder.h"
+#include "app/gui/narrow_table.h"
 #include "app/gui/number_text.h"
 #include "app/gui/sentences.h"
 
@@ -46,12 +46,8 @@ StructureList::StructureList(Document& document, QWidget* parent)
       colour_(new QPushButton(this)) {
   setObjectName("structureList");
   tree_->setObjectName("structureTree");
-  tree_->setRootIsDecorated(false);
-  tree_->setColumnCount(2);
+  makeNarrow(*tree_, 2);
   tree_->setUniformRowHeights(true);
-  tree_->header()->setStretchLastSection(false);
-  tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  tree_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   opacity_->setObjectName("opacitySlider");
   opacity_->setRange(0, 100);
   colour_->setObjectName("colourButton");

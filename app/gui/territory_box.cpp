@@ -1,11 +1,11 @@
 #include "app/gui/territory_box.h"
 
 #include <QGridLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
 
+#include "app/gui/narrow_table.h"
 #include "app/gui/number_text.h"
 #include "app/gui/sentences.h"
 
@@ -57,11 +57,9 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
   parts_->setObjectName("territoryTable");
   perfusion_->setObjectName("perfusionText");
   notes_->setObjectName("territoryNotes");
-  parts_->setRootIsDecorated(false);
+  makeNarrow(*parts_, 3);
   parts_->setSelectionMode(QAbstractItemView::NoSelection);
   parts_->setFixedHeight(kListHeight);
-  parts_->setColumnCount(3);
-  parts_->header()->setStretchLastSection(false);
   perfusion_->setWordWrap(true);
   notes_->setWordWrap(true);
   auto* grid = new QGridLayout(this);
@@ -105,9 +103,6 @@ void TerritoryBox::retranslateUi() {
   pick_->setText(tr("Pick a branch"));
   propose_->setText(tr("Left and right"));
   parts_->setHeaderLabels({tr("Territory"), tr("Volume"), tr("Resected")});
-  for (int column = 0; column < 3; ++column) {
-    parts_->header()->setSectionResizeMode(column, column == 0 ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
-  }
   refresh();
 }
 
