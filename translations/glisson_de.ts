@@ -2443,6 +2443,26 @@
         <source>Territory %1</source>
         <translation>Territorium %1</translation>
     </message>
+    <message>
+        <source>accept %1</source>
+        <translation>%1 freigeben</translation>
+    </message>
+    <message>
+        <source>withdraw the acceptance of %1</source>
+        <translation>Freigabe zurücknehmen: %1</translation>
+    </message>
+    <message>
+        <source>Who accepts a structure needs a name of one line, at most 200 bytes long; type it again.</source>
+        <translation>Wer eine Struktur freigibt, braucht einen Namen in einer Zeile, höchstens 200 Byte lang; geben Sie ihn noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>The time at which a structure was accepted is no time; accept it again.</source>
+        <translation>Die Zeit, zu der eine Struktur freigegeben wurde, ist keine; geben Sie sie noch einmal frei.</translation>
+    </message>
+    <message>
+        <source>%1 has no surface yet, so it cannot be accepted; reconstruct the model first.</source>
+        <translation>%1 hat noch keine Oberfläche und kann deshalb nicht freigegeben werden; rekonstruieren Sie zuerst das Modell.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -2709,6 +2729,53 @@
         <source>Left and right are proposed from the main bifurcation; nobody has confirmed them.</source>
         <translation>Links und rechts sind von der Hauptgabelung aus vorgeschlagen; niemand hat sie bestätigt.</translation>
     </message>
+    <message>
+        <source>accepted by</source>
+        <translation>freigegeben von</translation>
+    </message>
+    <message>
+        <source>Not accepted by anybody: %1.</source>
+        <translation>Von niemandem freigegeben: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::AcceptanceBox</name>
+    <message>
+        <source>Accept</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Accept as...</source>
+        <translation>Freigeben als...</translation>
+    </message>
+    <message>
+        <source>Accept all that nobody has accepted</source>
+        <translation>Alle freigeben, die niemand freigegeben hat</translation>
+    </message>
+    <message>
+        <source>Withdraw acceptance</source>
+        <translation>Freigabe zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Select a structure in the list first.</source>
+        <translation>Wählen Sie zuerst eine Struktur in der Liste.</translation>
+    </message>
+    <message>
+        <source>It has no surface yet.</source>
+        <translation>Sie hat noch keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Your name. It stands beside what you accept, in the case, the report and the package:</source>
+        <translation>Ihr Name. Er steht bei dem, was Sie freigeben, im Fall, im Bericht und im Paket:</translation>
+    </message>
+    <message>
+        <source>Accepted by %1, %2</source>
+        <translation>Freigegeben von %1, %2</translation>
+    </message>
+    <message>
+        <source>Nobody has accepted it yet.</source>
+        <translation>Noch von niemandem freigegeben.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::CaseOpener</name>
@@ -2941,6 +3008,10 @@
         <source>edit plans</source>
         <translation>Pläne bearbeiten</translation>
     </message>
+    <message>
+        <source>accept structures</source>
+        <translation>Strukturen freigeben</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ExportPanel</name>
@@ -3015,6 +3086,10 @@
     <message>
         <source>exported</source>
         <translation>exportiert</translation>
+    </message>
+    <message>
+        <source>Nobody has accepted these structures; the package says so: %1</source>
+        <translation>Niemand hat diese Strukturen freigegeben; das Paket sagt es: %1</translation>
     </message>
 </context>
 <context>
@@ -4091,6 +4166,10 @@ L %2</translation>
     <message>
         <source>Note: %1</source>
         <translation>Hinweis: %1</translation>
+    </message>
+    <message>
+        <source>Accepted by a person</source>
+        <translation>Von einem Menschen freigegeben</translation>
     </message>
 </context>
 <context>

@@ -126,9 +126,7 @@ void Document::setAppearance(const std::string& structureId, const Appearance& a
 void Document::setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction) {
   const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
   if (structure != nullptr) {
-    Structure changed = *structure;
-    changed.reconstruction = std::move(reconstruction);
-    replaceModel(withStructure(*case_.model, std::move(changed)));
+    replaceModel(withStructure(*case_.model, withReconstruction(*structure, std::move(reconstruction))));
   }
 }
 

@@ -86,6 +86,9 @@ class Document : public QObject {
   void setPatient(const PatientFacts& facts);
   void setColour(const std::string& structureId, Rgb colour);
   void setOpacity(const std::string& structureId, double opacity);
+  /// These structures are accepted by a person, now; those that are not made yet are left out. One step.
+  void accept(const std::vector<std::string>& structureIds, const std::string& by);
+  void withdrawAcceptance(const std::string& structureId);
   /// A matter of looking, not of the plan: stored, but no undo step.
   void setVisible(const std::string& structureId, bool visible);
 
@@ -94,7 +97,7 @@ class Document : public QObject {
   void dragTo(const HalfSpace& plane);
   void endDrag(const HalfSpace& plane);
 
-  /// A finished reconstruction; colour, opacity and visibility stay as the user has set them meanwhile.
+  /// A finished reconstruction; colour, opacity and visibility stay as the user has set them meanwhile. Nobody has accepted it.
   void setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction);
   /// The CT of a case that was opened from its file. Ignored where its grid is not the labels'.
   void setCt(std::shared_ptr<const CtVolume> ct);
@@ -126,6 +129,7 @@ class Document : public QObject {
   friend class PlansCommand;
   friend class PatientCommand;
   friend class AppearanceCommand;
+  friend class AcceptanceCommand;
   struct Appearance {
     Rgb colour;
     double opacity = 1;
@@ -138,6 +142,10 @@ class Document : public QObject {
   void restoreHistory(const CaseFile& file);
   void storePatient(const PatientFacts& facts);
   void setAppearance(const std::string& structureId, const Appearance& appearance);
+  void pushAcceptance(const QString& name, const std::vector<const Structure*>& structures, const std::optional<Acceptance>& after);
+  /// `of`: the surface that was looked at; a structure that has another one by now keeps what it has.
+  void setAcceptance(const std::string& structureId, const std::shared_ptr<const Reconstruction>& of,
+                     const std::optional<Acceptance>& acceptance);
   void replaceModel(std::shared_ptr<const LiverModel> model);
   void prepareAssessor();
   void assessVolumes();

@@ -38,4 +38,19 @@ void AppearanceCommand::undo() { document_.setAppearance(structureId_, before_);
 
 void AppearanceCommand::redo() { document_.setAppearance(structureId_, after_); }
 
+AcceptanceCommand::AcceptanceCommand(Document& document, const QString& text, std::vector<Change> changes)
+    : QUndoCommand(text), document_(document), changes_(std::move(changes)) {}
+
+void AcceptanceCommand::undo() {
+  for (const Change& change : changes_) {
+    document_.setAcceptance(change.structureId, change.of, change.before);
+  }
+}
+
+void AcceptanceCommand::redo() {
+  for (const Change& change : changes_) {
+    document_.setAcceptance(change.structureId, change.of, change.after);
+  }
+}
+
 }  // namespace glisson

@@ -37,7 +37,7 @@ class CaseFile {
   void storePlans(const std::vector<ResectionPlan>& plans, const std::string& name = {});
   /// Replaces what the user said about the patient in one committed transaction, without an undo record. Throws as storePlans().
   void storePatient(const PatientFacts& facts);
-  /// Replaces the model (structures, colours, meshes) in one committed transaction.
+  /// Replaces the model (structures, colours, meshes, who accepts them) in one committed transaction.
   void storeModel(const LiverModel& model);
   /// The undo records of the newest `atMost` edits, oldest first: also those made before the program was last closed.
   [[nodiscard]] std::vector<PlanStep> history(std::size_t atMost = 100) const;

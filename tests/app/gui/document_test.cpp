@@ -163,6 +163,41 @@ TEST_F(DocumentTest, AReconstructionThatFinishesLateKeepsTheColourSetMeanwhile) 
   EXPECT_FALSE(document->content().model->find("tumour_01")->reconstruction->mesh.empty());
 }
 
+TEST_F(DocumentTest, AnAcceptanceIsANamedStepOnDiskAtOnceAndEndsWithItsSurface_H5) {
+  const Case content = document->content();
+  const auto now = [this](const char* id) { return document->content().model->find(id)->acceptance; };
+  document->accept({"portal_vein"}, "Dr. A");
+  EXPECT_EQ(document->undoStack().count(), 0) << "there is no surface to look at";
+  document->setReconstruction("portal_vein", buildStructure(content, *content.model->find("portal_vein")).reconstruction);
+  document->setReconstruction("tumour_01", buildStructure(content, *content.model->find("tumour_01")).reconstruction);
+  document->accept({"portal_vein"}, "Dr. A");
+  EXPECT_EQ(document->undoStack().undoText(), "accept portal vein");
+  ASSERT_TRUE(now("portal_vein"));
+  document->flush();
+  EXPECT_EQ(CaseFile::open(document->path()).load().model->find("portal_vein")->acceptance, now("portal_vein"));
+  document->setColour("portal_vein", {1, 2, 3});
+  EXPECT_TRUE(now("portal_vein")) << "a colour is no other surface";
+  document->undoStack().undo();
+  document->accept({"portal_vein", "tumour_01", "parenchyma"}, "B");
+  EXPECT_EQ(document->undoStack().undoText(), "accept structures");
+  EXPECT_EQ(now("tumour_01")->by, "B");
+  document->undoStack().undo();
+  EXPECT_EQ(now("portal_vein")->by, "Dr. A");
+  EXPECT_FALSE(now("tumour_01"));
+  document->withdrawAcceptance("portal_vein");
+  EXPECT_EQ(document->undoStack().undoText(), "withdraw the acceptance of portal vein");
+  EXPECT_FALSE(now("portal_vein"));
+  document->undoStack().undo();
+  EXPECT_TRUE(now("portal_vein"));
+  document->setReconstruction("portal_vein", buildStructure(content, *content.model->find("portal_vein")).reconstruction);
+  EXPECT_FALSE(now("portal_vein"));
+  document->undoStack().undo();
+  document->undoStack().redo();
+  EXPECT_FALSE(now("portal_vein")) << "nobody has looked at the new surface";
+  document->flush();
+  EXPECT_FALSE(CaseFile::open(document->path()).load().model->find("portal_vein")->acceptance);
+}
+
 TEST_F(DocumentTest, ACaseThatWasOnlyLookedAtLeavesNothingBehindAndAnEditedOneStays_H6) {
   document->flush();
   const std::filesystem::path first = document->path();

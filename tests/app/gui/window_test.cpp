@@ -8,14 +8,17 @@
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QProcess>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSemaphore>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -200,6 +203,45 @@ TEST_F(WindowTest, TheCheckboxHidesAStructureInTheModel) {
     hidden += structure.visible ? 0 : 1;
   }
   EXPECT_EQ(hidden, 1);
+}
+
+TEST_F(WindowTest, AStructureIsAcceptedByAPersonWhoIsAskedForTheNameOnce) {
+  QSettings().remove("reviewer");
+  openSmallWithPlane();
+  auto* tree = find<QTreeWidget>("structureTree");
+  EXPECT_TRUE(tree->topLevelItem(2)->text(2).isEmpty());
+  EXPECT_TRUE(find<QLabel>("exportNotAccepted")->text().contains("liver, tumour 1, portal vein"));
+  tree->setCurrentItem(tree->topLevelItem(2));
+  click("acceptButton");
+  auto* dialog = find<QInputDialog>("reviewerDialog");
+  dialog->setTextValue("  Dr. A  ");
+  dialog->accept();
+  EXPECT_EQ(tree->topLevelItem(2)->text(2), "\u2713");
+  EXPECT_TRUE(tree->topLevelItem(2)->toolTip(2).startsWith("Accepted by Dr. A, 20"))
+      << tree->topLevelItem(2)->toolTip(2).toStdString();
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: accept portal vein");
+  EXPECT_EQ(find<QPushButton>("acceptButton")->text(), "Withdraw acceptance");
+  EXPECT_TRUE(find<QLabel>("exportNotAccepted")->text().endsWith("liver, tumour 1"));
+  tree->setCurrentItem(tree->topLevelItem(1));
+  click("acceptButton");
+  EXPECT_EQ(document().content().model->find("tumour_01")->acceptance->by, "Dr. A") << "the name is remembered";
+  const QString report = folder.filePath("report.pdf");
+  ASSERT_TRUE(settle());
+  window->writeReport(report);
+  QProcess reader;
+  reader.start("pdftotext", {"-layout", report, "-"});
+  ASSERT_TRUE(reader.waitForFinished());
+  const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+  EXPECT_TRUE(text.contains("Not accepted by anybody: liver.")) << text.toStdString();
+  EXPECT_EQ(text.count("Dr. A, 20"), 2) << text.toStdString();
+  find<QAction>("actionAcceptAll")->trigger();
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: accept liver");
+  EXPECT_FALSE(find<QLabel>("exportNotAccepted")->isVisibleTo(find<QWidget>("exportPanel")));
+  click("acceptButton");
+  EXPECT_FALSE(document().content().model->find("tumour_01")->acceptance);
+  changeLanguage("de");
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), QString("Rückgängig: Freigabe zurücknehmen: Tumor 1"));
+  changeLanguage("en");
 }
 
 TEST_F(WindowTest, ARunningJobShowsItselfAndItsCancelIsObeyedAtOnce) {

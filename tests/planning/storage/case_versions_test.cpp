@@ -1,7 +1,8 @@
-// What the user says about the patient in the case file, and files of the version before it.
+// What the user says about the patient and accepts, in the case file; files of the version before it, and of before it existed.
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
+#include <zlib.h>
 
 #include <cmath>
 
@@ -51,6 +52,69 @@ fs::path versionOne(const fs::path& folder) {
   { CaseFile::create(file, made); }
   runSql(file, "DELETE FROM document WHERE key = 'patient'; ALTER TABLE history DROP COLUMN name; PRAGMA user_version=1");
   return file;
+}
+
+/// As somebody would write a document who knows its checksum.
+void forgeDocument(const fs::path& path, const char* key, const std::string& from, const std::string& to) {
+  sqlite3* handle = nullptr;
+  sqlite3_stmt* statement = nullptr;
+  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
+  ASSERT_EQ(sqlite3_prepare_v2(handle, "SELECT json FROM document WHERE key = ?", -1, &statement, nullptr), SQLITE_OK);
+  sqlite3_bind_text(statement, 1, key, -1, SQLITE_STATIC);
+  ASSERT_EQ(sqlite3_step(statement), SQLITE_ROW);
+  std::string text = reinterpret_cast<const char*>(sqlite3_column_text(statement, 0));
+  sqlite3_finalize(statement);
+  ASSERT_NE(text.find(from), std::string::npos) << text;
+  text.replace(text.find(from), from.size(), to);
+  ASSERT_EQ(sqlite3_prepare_v2(handle, "UPDATE document SET json = ?, crc = ? WHERE key = ?", -1, &statement, nullptr), SQLITE_OK);
+  sqlite3_bind_text(statement, 1, text.c_str(), -1, SQLITE_STATIC);
+  sqlite3_bind_int64(
+      statement, 2,
+      static_cast<std::int64_t>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()))));
+  sqlite3_bind_text(statement, 3, key, -1, SQLITE_STATIC);
+  EXPECT_EQ(sqlite3_step(statement), SQLITE_DONE);
+  sqlite3_finalize(statement);
+  sqlite3_close(handle);
+}
+
+Case acceptedCase(const Acceptance& acceptance) {
+  Case made = ballCase();
+  auto surface = std::make_shared<Reconstruction>();
+  surface->parameters = ReconstructionParameters::defaultsFor(StructureKind::Liver);
+  made.model = withStructure(*made.model, withReconstruction(*made.model->find("parenchyma"), surface));
+  made.model = withAcceptance(*made.model, {"parenchyma"}, acceptance);
+  return made;
+}
+
+TEST(CaseAcceptance, ComesBackIsReplacedAndIsMissingInAFileOfBeforeItExisted) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  const Acceptance acceptance{"Dr. M\xC3\xBCller \"A\"", "2026-01-31T09:05:00Z"};
+  const Case source = acceptedCase(acceptance);
+  CaseFile made = CaseFile::create(file, source);
+  EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance, acceptance);
+  made.storeModel(*withAcceptance(*source.model, {"parenchyma"}, std::nullopt));
+  EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance, std::nullopt);
+  made.storeModel(*source.model);
+  EXPECT_EQ(versionOf(file), 2) << "a program that does not know it opens the file and takes nobody for having accepted it";
+  forgeDocument(file, "model", R"("acceptance":{)", R"("forgotten":{)");
+  EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance, std::nullopt);
+}
+
+TEST(CaseAcceptance, OneThatIsNoneIsRefusedWhereverItComesFrom) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  const Case source = acceptedCase({"A", "2026-01-31T09:05:00Z"});
+  { CaseFile::create(file, source); }
+  auto wrong = std::make_shared<LiverModel>(*source.model);
+  wrong->structures.front().acceptance->at = "yesterday";
+  EXPECT_THROW(CaseFile::open(file).storeModel(*wrong), PlanningError);
+  EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance->by, "A");
+  forgeDocument(file, "model", R"("by":"A")", R"("by":7)");
+  EXPECT_THROW(CaseFile::open(file).load(), InputError);
+  { CaseFile::create(file, source); }
+  forgeDocument(file, "model", "T09:05:00Z", "T09:05");
+  EXPECT_THROW(CaseFile::open(file).load(), InputError);
 }
 
 TEST(CasePatient, ComesBackAsItWasStoredAndEmptiedAgain) {
