@@ -2463,6 +2463,10 @@
         <source>%1 has no surface yet, so it cannot be accepted; reconstruct the model first.</source>
         <translation>%1 hat noch keine Oberfläche und kann deshalb nicht freigegeben werden; rekonstruieren Sie zuerst das Modell.</translation>
     </message>
+    <message>
+        <source>its patient cannot be read</source>
+        <translation>die Angaben zum Patienten sind nicht lesbar</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>

@@ -263,7 +263,7 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
     file.storePlans(work.source.plans);
   }
   if (work.source.patient != before && !flags.dryRun) {
-    file.storePatient(work.source.patient);
+    file.storePatient(work.source.patient, "change patient facts");
   }
   if (work.source.model != modelBefore && !flags.dryRun) {
     file.storeModel(*work.source.model);

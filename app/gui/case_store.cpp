@@ -58,10 +58,10 @@ void CaseStore::storePlans(const std::vector<ResectionPlan>& plans, const QStrin
   });
 }
 
-void CaseStore::storePatient(const PatientFacts& facts) {
-  post([facts](Worker& worker) {
+void CaseStore::storePatient(const PatientFacts& facts, const QString& name) {
+  post([facts, name = name.toStdString()](Worker& worker) {
     if (worker.file) {
-      worker.file->storePatient(facts);
+      worker.file->storePatient(facts, name);
     }
   });
 }

@@ -30,7 +30,7 @@ class CaseStore : public QObject {
   void adopt(std::shared_ptr<CaseFile> file);
   /// `name`: of the edit, for the undo history.
   void storePlans(const std::vector<ResectionPlan>& plans, const QString& name);
-  void storePatient(const PatientFacts& facts);
+  void storePatient(const PatientFacts& facts, const QString& name);
   void storeModel(std::shared_ptr<const LiverModel> model);
   /// Writes the whole case to `path`, goes on there, and removes `obsolete` (a recovery file) where it is given.
   void saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete);

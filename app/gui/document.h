@@ -140,7 +140,8 @@ class Document : public QObject {
   void setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name);
   /// The edits of earlier sessions onto the undo stack; what was undone then is not there.
   void restoreHistory(const CaseFile& file);
-  void storePatient(const PatientFacts& facts);
+  /// `name`: of the edit, for the history; empty where it takes one back.
+  void storePatient(const PatientFacts& facts, const QString& name);
   void setAppearance(const std::string& structureId, const Appearance& appearance);
   void pushAcceptance(const QString& name, const std::vector<const Structure*>& structures, const std::optional<Acceptance>& after);
   /// `of`: the surface that was looked at; a structure that has another one by now keeps what it has.

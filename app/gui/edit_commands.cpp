@@ -14,12 +14,18 @@ void PlansCommand::redo() {
   done_ = false;
 }
 
-PatientCommand::PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after)
-    : QUndoCommand(text), document_(document), before_(before), after_(after) {}
+PatientCommand::PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after,
+                               bool done)
+    : QUndoCommand(text), document_(document), before_(before), after_(after), done_(done) {}
 
-void PatientCommand::undo() { document_.storePatient(before_); }
+void PatientCommand::undo() { document_.storePatient(before_, {}); }
 
-void PatientCommand::redo() { document_.storePatient(after_); }
+void PatientCommand::redo() {
+  if (!done_) {
+    document_.storePatient(after_, text());
+  }
+  done_ = false;
+}
 
 AppearanceCommand::AppearanceCommand(Document& document, const QString& text, What what, std::string structureId,
                                      Document::Appearance before, Document::Appearance after)

@@ -28,7 +28,8 @@ class PlansCommand : public QUndoCommand {
 
 class PatientCommand : public QUndoCommand {
  public:
-  PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after);
+  /// `done` as in PlansCommand.
+  PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after, bool done = false);
   void undo() override;
   void redo() override;
 
@@ -36,6 +37,7 @@ class PatientCommand : public QUndoCommand {
   Document& document_;
   PatientFacts before_;
   PatientFacts after_;
+  bool done_;
 };
 
 /// Steps of the same slider on the same structure become one.

@@ -175,6 +175,7 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"n", QT_TRANSLATE_NOOP("Sentence", "a document has not the form of version %1")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its case has no CT source")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its history cannot be read")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "its patient cannot be read")},
     {"",
      QT_TRANSLATE_NOOP(
          "Sentence", "The plan holds a number that is not finite or a normal that is not of unit length; place the plane again.")},

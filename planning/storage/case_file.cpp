@@ -190,11 +190,12 @@ void CaseFile::storePlans(const std::vector<ResectionPlan>& plans, const std::st
   }
 }
 
-void CaseFile::storePatient(const PatientFacts& facts) {
+void CaseFile::storePatient(const PatientFacts& facts, const std::string& name) {
   impl_->requireWriter();
   Transaction transaction(impl_->database);
-  caseTables::writePatient(impl_->database, facts);
-  transaction.commit();
+  if (caseTables::writePatient(impl_->database, facts, name)) {
+    transaction.commit();
+  }
 }
 
 void CaseFile::storeModel(const LiverModel& model) {

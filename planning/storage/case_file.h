@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,16 @@
 
 namespace glisson {
 
-/// The undo record of one edit.
+/// The undo record of one edit: of the plans, or of what the user said about the patient.
 struct PlanStep {
+  struct Patient {
+    PatientFacts before;
+    PatientFacts after;
+  };
   std::string name;  ///< "move plane 2"; empty where the edit had none, and in records of version 1
   std::vector<ResectionPlan> before;
   std::vector<ResectionPlan> after;
+  std::optional<Patient> patient{};  ///< of an edit of the patient; the plans stayed as they were
 };
 
 class CaseFile {
@@ -35,8 +41,9 @@ class CaseFile {
   /// Replaces the plans in one committed transaction, together with its undo record; equal plans are no edit. Throws InputError
   /// where the file is read-only or the disk is full, PlanningError where a plane is not finite; the file then holds what it held.
   void storePlans(const std::vector<ResectionPlan>& plans, const std::string& name = {});
-  /// Replaces what the user said about the patient in one committed transaction, without an undo record. Throws as storePlans().
-  void storePatient(const PatientFacts& facts);
+  /// Replaces what the user said about the patient in one committed transaction, together with its undo record; equal facts are no
+  /// edit. Throws as storePlans().
+  void storePatient(const PatientFacts& facts, const std::string& name = {});
   /// Replaces the model (structures, colours, meshes, who accepts them) in one committed transaction.
   void storeModel(const LiverModel& model);
   /// The undo records of the newest `atMost` edits, oldest first: also those made before the program was last closed.

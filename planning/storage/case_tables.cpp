@@ -131,6 +131,8 @@ std::string plansText(const std::vector<ResectionPlan>& plans) {
   return text;
 }
 
+std::string factsText(const PatientFacts& facts) { return textOf(caseJson::fromFacts(facts)); }
+
 std::int64_t versionOf(const Database& database) { return database.number("PRAGMA user_version"); }
 
 void setVersion(const Database& database) { database.execute(("PRAGMA user_version=" + std::to_string(kVersion)).c_str()); }
@@ -138,10 +140,34 @@ void setVersion(const Database& database) { database.execute(("PRAGMA user_versi
 /// What an edit of an older file has to do first; part of the edit's transaction.
 void bringUpToDate(const Database& database) {
   if (versionOf(database) < kVersion) {
-    putDocument(database, "patient", textOf(caseJson::fromFacts({})));
+    putDocument(database, "patient", factsText({}));
     database.execute("ALTER TABLE history ADD COLUMN name TEXT NOT NULL DEFAULT ''");
     setVersion(database);
   }
+}
+
+/// What `read` gives; whatever does not fit becomes a sentence about the file.
+template <typename Read>
+auto readOrDamaged(const Database& database, const std::string& misfit, Read&& read) {
+  try {
+    return read();
+  } catch (const Json::exception&) {
+    damaged(database, misfit);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    damaged(database, error.what());
+  }
+}
+
+PatientFacts readPatient(const Database& database) {
+  return readOrDamaged(database, "its patient cannot be read", [&] {
+    return versionOf(database) > 1 ? caseJson::toFacts(Json::parse(documentText(database, "patient"))) : PatientFacts();
+  });
+}
+
+bool recordsPatient(const Database& database) {
+  return database.number("SELECT count(*) FROM pragma_table_info('history') WHERE name = 'patient_after'") > 0;
 }
 }  // namespace
 
@@ -151,7 +177,7 @@ void createTables(const Database& database) {
       "CREATE TABLE part(key TEXT PRIMARY KEY, data BLOB NOT NULL) STRICT;"
       "CREATE TABLE ct_file(name TEXT PRIMARY KEY, bytes INTEGER NOT NULL, sha256 TEXT NOT NULL) STRICT;"
       "CREATE TABLE history(step INTEGER PRIMARY KEY, before TEXT NOT NULL, after TEXT NOT NULL, "
-      "name TEXT NOT NULL DEFAULT '') STRICT;");
+      "name TEXT NOT NULL DEFAULT '', patient_before TEXT, patient_after TEXT) STRICT;");
   database.execute(("PRAGMA application_id=" + std::to_string(kApplicationId)).c_str());
   setVersion(database);
 }
@@ -171,7 +197,8 @@ void writeCase(const Database& database, const Case& source, StoredMeshes& store
   writeSegmentation(database, *source.segmentation);
   writeModel(database, source.model ? *source.model : LiverModel(), stored);
   putDocument(database, "plans", plansText(source.plans));
-  writePatient(database, source.patient);
+  validate(source.patient);
+  putDocument(database, "patient", factsText(source.patient));
   if (!source.ctSource.empty()) {
     for (const CtFileHash& file : hashCtFiles(source.ctSource)) {
       Statement(database, "INSERT INTO ct_file(name, bytes, sha256) VALUES(?, ?, ?)")
@@ -216,11 +243,27 @@ void appendStep(const Database& database, const std::string& before, const std::
       .bind(2, std::string_view(name))
       .step();
 }
+
+/// The plans stand in the record as well: to a program that does not know its last columns it is an edit that changes nothing.
+void appendPatientStep(const Database& database, const std::string& plans, const PlanStep::Patient& patient,
+                       const std::string& name) {
+  Statement(database, "INSERT INTO history(before, after, name, patient_before, patient_after) VALUES(?, ?, ?, ?, ?)")
+      .bind(0, std::string_view(plans))
+      .bind(1, std::string_view(plans))
+      .bind(2, std::string_view(name))
+      .bind(3, std::string_view(factsText(patient.before)))
+      .bind(4, std::string_view(factsText(patient.after)))
+      .step();
+}
 }  // namespace
 
 void writeHistory(const Database& database, const std::vector<PlanStep>& steps) {
   for (const PlanStep& step : steps) {
-    appendStep(database, plansText(step.before), plansText(step.after), step.name);
+    if (step.patient) {
+      appendPatientStep(database, plansText(step.after), *step.patient, step.name);
+    } else {
+      appendStep(database, plansText(step.before), plansText(step.after), step.name);
+    }
   }
 }
 
@@ -236,10 +279,20 @@ bool writePlans(const Database& database, const std::vector<ResectionPlan>& plan
   return true;
 }
 
-void writePatient(const Database& database, const PatientFacts& facts) {
+bool writePatient(const Database& database, const PatientFacts& facts, const std::string& name) {
   validate(facts);
+  const PatientFacts before = readPatient(database);
+  if (before == facts) {
+    return false;
+  }
   bringUpToDate(database);
-  putDocument(database, "patient", textOf(caseJson::fromFacts(facts)));
+  if (!recordsPatient(database)) {
+    database.execute("ALTER TABLE history ADD COLUMN patient_before TEXT");
+    database.execute("ALTER TABLE history ADD COLUMN patient_after TEXT");
+  }
+  putDocument(database, "patient", factsText(facts));
+  appendPatientStep(database, documentText(database, "plans"), {before, facts}, name);
+  return true;
 }
 
 Case readCase(const Database& database, StoredMeshes& stored) {
@@ -260,9 +313,7 @@ Case readCase(const Database& database, StoredMeshes& stored) {
     read.liver = std::move(liver);
     read.model = readModel(database, read.segmentation->structures.size(), stored);
     read.plans = caseJson::toPlans(Json::parse(documentText(database, "plans")));
-    if (versionOf(database) > 1) {
-      read.patient = caseJson::toFacts(Json::parse(documentText(database, "patient")));
-    }
+    read.patient = readPatient(database);
     return read;
   } catch (const Json::exception&) {
     damaged(database, "a document has not the form of version " + std::to_string(kVersion));
@@ -292,19 +343,22 @@ std::vector<CtFileHash> readCtFiles(const Database& database) {
 
 std::vector<PlanStep> readHistory(const Database& database, std::size_t atMost) {
   std::vector<PlanStep> steps;
-  Statement statement(database, versionOf(database) > 1 ? "SELECT before, after, name FROM history ORDER BY step DESC LIMIT ?"
-                                                        : "SELECT before, after, '' FROM history ORDER BY step DESC LIMIT ?");
+  const char* complete = "SELECT before, after, name, patient_before, patient_after FROM history ORDER BY step DESC LIMIT ?";
+  const char* named = "SELECT before, after, name, '', '' FROM history ORDER BY step DESC LIMIT ?";
+  const char* first = "SELECT before, after, '', '', '' FROM history ORDER BY step DESC LIMIT ?";
+  Statement statement(database, recordsPatient(database) ? complete : versionOf(database) > 1 ? named : first);
   statement.bind(0, static_cast<std::int64_t>(atMost));
-  try {
+  return readOrDamaged(database, "its history cannot be read", [&] {
     while (statement.step()) {
       steps.push_back({statement.text(2), caseJson::toPlans(Json::parse(statement.text(0))),
                        caseJson::toPlans(Json::parse(statement.text(1)))});
+      if (const std::string facts = statement.text(4); !facts.empty()) {
+        steps.back().patient = {caseJson::toFacts(Json::parse(statement.text(3))), caseJson::toFacts(Json::parse(facts))};
+      }
     }
-  } catch (const Json::exception&) {
-    damaged(database, "its history cannot be read");
-  }
-  std::reverse(steps.begin(), steps.end());
-  return steps;
+    std::reverse(steps.begin(), steps.end());
+    return steps;
+  });
 }
 
 }  // namespace glisson::caseTables

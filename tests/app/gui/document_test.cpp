@@ -243,6 +243,37 @@ TEST_F(DocumentTest, AReopenedCaseHasItsUndoHistoryWithNamesWithoutWhatWasUndone
   again.flush();
 }
 
+TEST_F(DocumentTest, ACrashLosesNoEditOfThePatientNorItsPlaceInTheHistory_H6) {
+  const PatientFacts tall{190, 80, LiverCondition::Normal, std::nullopt};
+  const PatientFacts small{160, 80, LiverCondition::Injured, std::nullopt};
+  document->setPatient(tall);
+  document->placePlane(planeAt(0));
+  document->setPatient(small);
+  document->setPatient(tall);
+  document->undoStack().undo();
+  document->undoStack().undo();
+  document->undoStack().redo();
+  document->flush();
+  auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));  // as the next start does, read only here
+  Case read = file->load();
+  Document again(jobs, recovery());
+  again.open(std::move(read), std::move(file));
+  QUndoStack& stack = again.undoStack();
+  ASSERT_EQ(stack.count(), 3);
+  EXPECT_EQ(again.content().patient, small);
+  EXPECT_EQ(stack.undoText(), "change patient facts");
+  stack.undo();
+  EXPECT_EQ(again.content().patient, tall);
+  EXPECT_TRUE(again.plane().has_value());
+  stack.undo();
+  EXPECT_FALSE(again.plane().has_value());
+  EXPECT_EQ(again.content().patient, tall);
+  stack.undo();
+  EXPECT_EQ(again.content().patient, PatientFacts());
+  stack.redo();
+  EXPECT_EQ(again.content().patient, tall);
+}
+
 TEST_F(DocumentTest, ACrashLosesNeitherTheLastEditNorItsHistory_H6) {
   document->placePlane(planeAt(0));
   document->movePlane(planeAt(5));

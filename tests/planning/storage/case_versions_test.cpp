@@ -50,7 +50,10 @@ fs::path versionOne(const fs::path& folder) {
   Case made = ballCase();
   made.plans = {planAt(10)};
   { CaseFile::create(file, made); }
-  runSql(file, "DELETE FROM document WHERE key = 'patient'; ALTER TABLE history DROP COLUMN name; PRAGMA user_version=1");
+  runSql(file,
+         "DELETE FROM document WHERE key = 'patient'; ALTER TABLE history DROP COLUMN name; "
+         "ALTER TABLE history DROP COLUMN patient_before; ALTER TABLE history DROP COLUMN patient_after; "
+         "PRAGMA user_version=1");
   return file;
 }
 
@@ -129,7 +132,68 @@ TEST(CasePatient, ComesBackAsItWasStoredAndEmptiedAgain) {
   CaseFile::open(file).storePatient({std::nullopt, 0.1, std::nullopt, std::nullopt});
   EXPECT_EQ(CaseFile::open(file).load().patient.weightKg, 0.1);
   EXPECT_FALSE(CaseFile::open(file).load().patient.condition);
-  EXPECT_TRUE(CaseFile::open(file).history().empty()) << "the patient is no edit of a plan";
+  EXPECT_EQ(CaseFile::open(file).history().size(), 2U);
+}
+
+TEST(CasePatient, EditsComeBackWithTheirUndoRecordAmongThoseOfThePlans) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  const PatientFacts taller{180, std::nullopt, std::nullopt, std::nullopt};
+  {
+    CaseFile made = CaseFile::create(file, ballCase());
+    made.storePlans({planAt(9)}, "place plane");
+    made.storePatient(kFacts, "change patient facts");
+    made.storePatient(kFacts, "change patient facts");
+    made.storePlans({planAt(8)}, "move plane");
+    made.storePatient(taller);
+  }
+  const auto check = [&](const std::vector<PlanStep>& steps) {
+    ASSERT_EQ(steps.size(), 4U) << "equal facts are no edit";
+    EXPECT_FALSE(steps[0].patient);
+    EXPECT_EQ(steps[1].name, "change patient facts");
+    ASSERT_TRUE(steps[1].patient);
+    EXPECT_EQ(steps[1].patient->before, PatientFacts());
+    EXPECT_EQ(steps[1].patient->after, kFacts);
+    EXPECT_EQ(steps[1].after, std::vector<ResectionPlan>{planAt(9)});
+    EXPECT_EQ(steps[1].before, steps[1].after);
+    EXPECT_EQ(steps[2].name, "move plane");
+    EXPECT_FALSE(steps[2].patient);
+    ASSERT_TRUE(steps[3].patient);
+    EXPECT_EQ(steps[3].patient->before, kFacts);
+    EXPECT_EQ(steps[3].patient->after, taller);
+  };
+  const CaseFile opened = CaseFile::open(file);
+  check(opened.history());
+  check(CaseFile::create(scratch.path / "b.glisson", opened.load(), opened.history()).history());
+}
+
+TEST(CasePatient, FileFromBeforeItsEditsWereRecordedOpensAndRecordsTheNextOne) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  Case source = ballCase();
+  source.patient = kFacts;
+  { CaseFile::create(file, source).storePlans({planAt(9)}, "place plane"); }
+  runSql(file, "ALTER TABLE history DROP COLUMN patient_before; ALTER TABLE history DROP COLUMN patient_after");
+  ASSERT_EQ(CaseFile::open(file).history().size(), 1U);
+  EXPECT_EQ(CaseFile::open(file).load().patient, kFacts);
+  CaseFile::open(file).storePatient({}, "change patient facts");
+  EXPECT_EQ(versionOf(file), 2) << "an older program takes it for an edit that changes nothing";
+  const std::vector<PlanStep> steps = CaseFile::open(file).history();
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].name, "place plane");
+  ASSERT_TRUE(steps[1].patient);
+  EXPECT_EQ(steps[1].patient->before, kFacts);
+  EXPECT_EQ(steps[1].before, std::vector<ResectionPlan>{planAt(9)});
+}
+
+TEST(CasePatient, RecordThatDoesNotFitIsRefused) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  { CaseFile::create(file, ballCase()).storePatient(kFacts); }
+  for (const char* wrong : {"{}", "7", "no json", R"({"heightCm":-1,"weightKg":null,"condition":null,"tumourType":null})"}) {
+    runSql(file, ("UPDATE history SET patient_after = '" + std::string(wrong) + "'").c_str());
+    EXPECT_THROW((void)CaseFile::open(file).history(), InputError) << wrong;
+  }
 }
 
 TEST(CasePatient, NumberThatIsNoBodysIsRefusedAndTheFileKeepsWhatItHeld) {
