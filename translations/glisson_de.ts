@@ -2467,6 +2467,50 @@
         <source>its patient cannot be read</source>
         <translation>die Angaben zum Patienten sind nicht lesbar</translation>
     </message>
+    <message>
+        <source>%1 is larger than 4 GiB and cannot be embedded in a case; send its files beside the case.</source>
+        <translation>%1 ist größer als 4 GiB und kann nicht in einen Fall eingebettet werden; schicken Sie ihre Dateien neben dem Fall.</translation>
+    </message>
+    <message>
+        <source>%1 holds an embedded CT that is damaged (%2) and not shown; the rest of the case is whole, ask for the file again to see the slices.</source>
+        <translation>%1 enthält eine eingebettete CT, die beschädigt ist (%2) und nicht gezeigt wird; der übrige Fall ist unversehrt, lassen Sie sich die Datei noch einmal schicken, um die Schichten zu sehen.</translation>
+    </message>
+    <message>
+        <source>its description cannot be read</source>
+        <translation>ihre Beschreibung ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>its size is impossible</source>
+        <translation>ihre Größe ist unmöglich</translation>
+    </message>
+    <message>
+        <source>it does not lie on the grid of the labels</source>
+        <translation>sie liegt nicht auf dem Gitter der Labels</translation>
+    </message>
+    <message>
+        <source>its voxels do not match their SHA-256</source>
+        <translation>ihre Voxel passen nicht zu ihrer SHA-256</translation>
+    </message>
+    <message>
+        <source>embedded in %1</source>
+        <translation>eingebettet in %1</translation>
+    </message>
+    <message>
+        <source>The case shows no CT that could be embedded; open it where its CT lies.</source>
+        <translation>Der Fall zeigt keine CT, die eingebettet werden könnte; öffnen Sie ihn dort, wo seine CT liegt.</translation>
+    </message>
+    <message>
+        <source>The CT at %1 is not the one this case was made from (its files have changed): the CT embedded in the case is shown.</source>
+        <translation>Die CT unter %1 ist nicht die, aus der dieser Fall entstand (ihre Dateien wurden geändert): Gezeigt wird die in den Fall eingebettete CT.</translation>
+    </message>
+    <message>
+        <source>The CT of this case is not at %1: the CT embedded in the case is shown.</source>
+        <translation>Die CT dieses Falls liegt nicht unter %1: Gezeigt wird die in den Fall eingebettete CT.</translation>
+    </message>
+    <message>
+        <source>%1 is the file this case is kept in; save the copy under another name.</source>
+        <translation>%1 ist die Datei, in der dieser Fall liegt; speichern Sie die Kopie unter einem anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -3016,6 +3060,10 @@
         <source>accept structures</source>
         <translation>Strukturen freigeben</translation>
     </message>
+    <message>
+        <source>Saving a copy with the CT</source>
+        <translation>Kopie mit der CT speichern</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ExportPanel</name>
@@ -3486,6 +3534,14 @@
         <source>&amp;Report as PDF...</source>
         <translation>&amp;Bericht als PDF...</translation>
     </message>
+    <message>
+        <source>Save a copy with the &amp;CT...</source>
+        <translation>Kopie mit der &amp;CT speichern...</translation>
+    </message>
+    <message>
+        <source>The case shows no CT.</source>
+        <translation>Der Fall zeigt keine CT.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::MainWindow</name>
@@ -3576,6 +3632,26 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Report written: %1</source>
         <translation>Bericht geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Saved with the CT: %1</source>
+        <translation>Mit der CT gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Save a copy with the CT</source>
+        <translation>Kopie mit der CT speichern</translation>
+    </message>
+    <message>
+        <source>The CT of %1 x %2 x %3 voxels adds about %4 MB to the copy.</source>
+        <translation>Die CT mit %1 x %2 x %3 Voxeln macht die Kopie um etwa %4 MB größer.</translation>
+    </message>
+    <message>
+        <source>Whoever gets the file sees the slices, and the patient&apos;s name, id and birth date where the case holds them.</source>
+        <translation>Wer die Datei bekommt, sieht die Schichten und, wo der Fall sie enthält, Namen, ID und Geburtsdatum des Patienten.</translation>
+    </message>
+    <message>
+        <source>Choose the file...</source>
+        <translation>Datei wählen...</translation>
     </message>
 </context>
 <context>

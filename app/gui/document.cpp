@@ -169,6 +169,25 @@ void Document::saveAs(const std::filesystem::path& path) {
   }
 }
 
+void Document::saveCopyWithCt(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!open_ || path == path_ || std::filesystem::equivalent(path, path_, ignored)) {
+    emit storeFailed(QStringLiteral("%1 is the file this case is kept in; save the copy under another name.")
+                         .arg(QString::fromStdString(path.string())));
+    return;
+  }
+  store_.withHistory([this, path, content = case_](const std::vector<PlanStep>& history) {
+    JobRequest request{.key = "copy", .title = tr("Saving a copy with the CT")};
+    request.fail = [this](const std::exception& error) { emit storeFailed(messageOf(error)); };
+    submitFor<std::filesystem::path>(
+        jobs_, std::move(request),
+        [path, content, history](const ExecutionContext& context) {
+          return CaseFile::create(path, content, history, {.embed = true}, context).path();
+        },
+        [this](const std::filesystem::path& written) { emit copySaved(QString::fromStdString(written.string())); });
+  });
+}
+
 namespace {
 
 struct Assessor {

@@ -107,6 +107,8 @@ class Document : public QObject {
   /// A case in the recovery folder has no name yet: use saveAs().
   void save();
   void saveAs(const std::filesystem::path& path);
+  /// Writes a copy that holds the CT too, in a job; the case stays where it is. copySaved() tells.
+  void saveCopyWithCt(const std::filesystem::path& path);
   /// Blocks until every edit is on disk.
   void flush() { store_.flush(); }
 
@@ -123,6 +125,7 @@ class Document : public QObject {
   void assessmentChanged();  ///< new numbers, or old ones out of date
   void cleanChanged();
   void saved(const QString& path);
+  void copySaved(const QString& path);
   void storeFailed(const QString& sentence);  ///< in English
 
  private:

@@ -78,6 +78,7 @@ void MainActions::makeFileMenu() {
   needCase_.push_back(add(file, "actionSave", QT_TR_NOOP("&Save"), QKeySequence::Save, [this] { window_.save(); }));
   needCase_.push_back(
       add(file, "actionSaveAs", QT_TR_NOOP("Save &as..."), QKeySequence("Ctrl+Shift+S"), [this] { window_.saveAs(); }));
+  embed_ = add(file, "actionSaveCopyWithCt", QT_TR_NOOP("Save a copy with the &CT..."), {}, [this] { window_.saveCopyWithCt(); });
   needCase_.push_back(add(file, "actionExport", QT_TR_NOOP("&Export package..."), QKeySequence("Ctrl+E"), [this] {
     window_.workspaces().setCurrent(Workspace::Export);
     window_.exportPanel().startExport();
@@ -197,6 +198,9 @@ void MainActions::refresh() {
     action->setEnabled(open);
     action->setToolTip(open ? QString() : tr("Open a case first."));
   }
+  const bool ct = open && window_.document().content().ct != nullptr;
+  embed_->setEnabled(ct);
+  embed_->setToolTip(ct ? QString() : open ? tr("The case shows no CT.") : tr("Open a case first."));
   const bool plane = window_.document().plane().has_value();
   for (QAction* action : needPlane_) {
     action->setEnabled(plane);

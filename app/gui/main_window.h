@@ -49,6 +49,8 @@ class MainWindow : public Translated<QMainWindow> {
   void openFolder();
   void save();
   void saveAs();
+  /// Says what the CT adds to the file, asks for the file, then writes the copy.
+  void saveCopyWithCt();
   /// Asks for a file, then writes the report of the plan worked on.
   void saveReport();
   /// Throws InputError where it cannot be written, PlanningError while the numbers are not those of the plan.

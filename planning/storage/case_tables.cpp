@@ -1,59 +1,17 @@
 #include "planning/storage/case_tables.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 
 #include "planning/storage/case_json.h"
+#include "planning/storage/embedded_ct.h"
 #include "planning/storage/packing.h"
+#include "planning/storage/table_access.h"
 #include "reconstruction/errors.h"
 
 namespace glisson::caseTables {
 
 namespace {
 using caseJson::Json;
-
-std::int64_t crcOf(std::string_view text) {
-  return static_cast<std::int64_t>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
-}
-
-/// A text that is no UTF-8 (a name from a foreign file) must not make the case impossible to save.
-std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-[[noreturn]] void damaged(const Database& database, const std::string& what) {
-  throw InputError(database.path().string() + " is damaged (" + what + "); open an older copy of the case.");
-}
-
-void putDocument(const Database& database, const char* key, const std::string& text) {
-  Statement statement(database, "INSERT OR REPLACE INTO document(key, json, crc) VALUES(?, ?, ?)");
-  statement.bind(0, std::string_view(key)).bind(1, std::string_view(text)).bind(2, crcOf(text)).step();
-}
-
-std::string documentText(const Database& database, const char* key) {
-  Statement statement(database, "SELECT json, crc FROM document WHERE key = ?");
-  if (!statement.bind(0, std::string_view(key)).step()) {
-    damaged(database, std::string("its ") + key + " is missing");
-  }
-  std::string text = statement.text(0);
-  if (crcOf(text) != statement.number(1)) {
-    damaged(database, std::string("its ") + key + " does not match its checksum");
-  }
-  return text;
-}
-
-void putPart(const Database& database, const std::string& key, const Packed& packed) {
-  Statement statement(database, "INSERT OR REPLACE INTO part(key, data) VALUES(?, ?)");
-  statement.bind(0, std::string_view(key)).bind(1, std::span<const std::byte>(packed.data)).step();
-}
-
-template <typename Unpack>
-auto getPart(const Database& database, const std::string& key, Unpack&& unpack) {
-  Statement statement(database, "SELECT data FROM part WHERE key = ?");
-  if (!statement.bind(0, std::string_view(key)).step()) {
-    damaged(database, "its " + key + " is missing");
-  }
-  return unpack(statement.bytes(0));
-}
 
 Mask getMask(const Database& database, const std::string& key, const Json& box, const Index3& size) {
   return getPart(database, key, [&](std::span<const std::byte> data) { return unpackMask(data, caseJson::toBox(box, size)); });
@@ -182,7 +140,20 @@ void createTables(const Database& database) {
   setVersion(database);
 }
 
-void writeCase(const Database& database, const Case& source, StoredMeshes& stored) {
+namespace {
+/// The files' hashes are of the day the case was made: what lies at the path by now may be something else, or nothing.
+std::vector<CtFileHash> ctFilesOf(const Case& source, const Database* earlier) {
+  if (earlier != nullptr && readCtSource(*earlier) == source.ctSource) {
+    std::vector<CtFileHash> known = readCtFiles(*earlier);
+    if (!known.empty()) {
+      return known;
+    }
+  }
+  return hashCtFiles(source.ctSource);
+}
+}  // namespace
+
+void writeCase(const Database& database, const Case& source, StoredMeshes& stored, const Database* earlier) {
   Json json;
   json["code"] = source.code;
   json["identity"] = caseJson::fromIdentity(source.identity);
@@ -200,7 +171,7 @@ void writeCase(const Database& database, const Case& source, StoredMeshes& store
   validate(source.patient);
   putDocument(database, "patient", factsText(source.patient));
   if (!source.ctSource.empty()) {
-    for (const CtFileHash& file : hashCtFiles(source.ctSource)) {
+    for (const CtFileHash& file : ctFilesOf(source, earlier)) {
       Statement(database, "INSERT INTO ct_file(name, bytes, sha256) VALUES(?, ?, ?)")
           .bind(0, std::string_view(file.name))
           .bind(1, file.bytes)
@@ -322,6 +293,14 @@ Case readCase(const Database& database, StoredMeshes& stored) {
   } catch (const std::runtime_error& error) {
     damaged(database, error.what());
   }
+}
+
+std::pair<ImageGeometry, PatientIdentity> readLabelGrid(const Database& database) {
+  const std::string misfit = "a document has not the form of version " + std::to_string(kVersion);
+  return readOrDamaged(database, misfit, [&]() -> std::pair<ImageGeometry, PatientIdentity> {
+    return {caseJson::toGeometry(Json::parse(documentText(database, "segmentation")).at("geometry")),
+            caseJson::toIdentity(Json::parse(documentText(database, "case")).at("identity"))};
+  });
 }
 
 std::string readCtSource(const Database& database) {

@@ -124,6 +124,45 @@ TEST_F(DocumentTest, SavingUnderANameRemovesTheRecoveryFile) {
   EXPECT_TRUE(std::filesystem::exists(named()));
 }
 
+TEST_F(DocumentTest, ACopyWithTheCtIsWrittenWithTheHistoryAndTheCaseStaysWhereItIs) {
+  document->placePlane(planeAt(7));
+  const std::filesystem::path where = document->path();
+  QStringList copies;
+  QStringList refusals;
+  QObject::connect(document.get(), &Document::copySaved, [&](const QString& path) { copies << path; });
+  QObject::connect(document.get(), &Document::storeFailed, [&](const QString& sentence) { refusals << sentence; });
+  document->saveCopyWithCt(named());
+  ASSERT_TRUE(waitFor([&] { return !copies.isEmpty() || !refusals.isEmpty(); }));
+  ASSERT_TRUE(refusals.isEmpty()) << refusals.front().toStdString();
+  EXPECT_EQ(document->path(), where);
+  EXPECT_TRUE(document->isRecovery());
+  const CaseFile copy = CaseFile::open(named());
+  ASSERT_TRUE(copy.hasEmbeddedCt());
+  EXPECT_EQ(copy.embeddedCt()->hounsfield, document->content().ct->hounsfield);
+  ASSERT_EQ(copy.history().size(), 1U);
+  EXPECT_EQ(copy.history()[0].name, "place plane");
+  document->flush();
+  document->saveCopyWithCt(where);
+  ASSERT_EQ(refusals.size(), 1);
+  EXPECT_TRUE(refusals.front().contains("is the file this case is kept in"));
+}
+
+TEST_F(DocumentTest, ACaseThatCameWithItsCtKeepsItUnderAnotherName) {
+  Case content = smallCase();
+  content.ctSource = "/nowhere/ct.nii.gz";
+  const std::filesystem::path sent = folder.filePath("sent.glisson").toStdString();
+  { const CaseFile written = CaseFile::create(sent, content, {}, {.embed = true}); }
+  auto file = std::make_shared<CaseFile>(CaseFile::open(sent));
+  Case read = file->load();
+  read.ct = file->embeddedCt();
+  document->open(std::move(read), std::move(file));
+  document->saveAs(named());
+  ASSERT_TRUE(waitFor([this] { return document->isClean() && document->path() == named(); }));
+  document->flush();
+  ASSERT_TRUE(CaseFile::open(named()).hasEmbeddedCt());
+  EXPECT_EQ(CaseFile::open(named()).embeddedCt()->hounsfield, content.ct->hounsfield);
+}
+
 TEST_F(DocumentTest, CleanMeansSaved) {
   document->placePlane(planeAt(0));
   document->saveAs(named());

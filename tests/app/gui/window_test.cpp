@@ -8,10 +8,12 @@
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QProcess>
 #include <QProgressBar>
@@ -325,6 +327,23 @@ TEST_F(WindowTest, ACaseThatIsDroppedOpensWithItsPlan) {
   EXPECT_EQ(document().plane()->origin, origin);
   EXPECT_EQ(window->builder().missing(), 0);
   EXPECT_TRUE(document().isClean());
+}
+
+TEST_F(WindowTest, ACopyWithTheCtSaysItsSizeBeforeItAsksForTheFile) {
+  EXPECT_FALSE(find<QAction>("actionSaveCopyWithCt")->isEnabled());
+  openSmall();
+  find<QAction>("actionSaveCopyWithCt")->trigger();
+  auto* box = find<QMessageBox>("embedDialog");
+  EXPECT_TRUE(box->text().contains("56 x 48 x 40 voxels")) << box->text().toStdString();
+  EXPECT_TRUE(box->text().contains(" MB")) << box->text().toStdString();
+  EXPECT_TRUE(box->informativeText().contains("birth date"));
+  click("embedAccept");
+  auto* dialog = find<QFileDialog>("saveCopyDialog");
+  dialog->reject();
+  QSignalSpy saved(&document(), &Document::copySaved);
+  document().saveCopyWithCt(folder.filePath("copy.glisson").toStdString());
+  ASSERT_TRUE(waitFor([&] { return saved.count() == 1; }));
+  EXPECT_TRUE(CaseFile::open(folder.filePath("copy.glisson").toStdString()).hasEmbeddedCt());
 }
 
 TEST_F(WindowTest, ThePackageIsExportedAndSound) {
