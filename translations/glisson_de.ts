@@ -2511,6 +2511,10 @@
         <source>%1 is the file this case is kept in; save the copy under another name.</source>
         <translation>%1 ist die Datei, in der dieser Fall liegt; speichern Sie die Kopie unter einem anderen Namen.</translation>
     </message>
+    <message>
+        <source>The case holds neither name, id nor birth date of the patient; write the report without them.</source>
+        <translation>Der Fall enthält weder Namen, ID noch Geburtsdatum des Patienten; schreiben Sie den Bericht ohne sie.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -2784,6 +2788,14 @@
     <message>
         <source>Not accepted by anybody: %1.</source>
         <translation>Von niemandem freigegeben: %1.</translation>
+    </message>
+    <message>
+        <source>id %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>geb. %1</translation>
     </message>
 </context>
 <context>
@@ -3541,6 +3553,18 @@
     <message>
         <source>The case shows no CT.</source>
         <translation>Der Fall zeigt keine CT.</translation>
+    </message>
+    <message>
+        <source>Report with the patient&apos;s &amp;name...</source>
+        <translation>Bericht mit dem &amp;Namen des Patienten...</translation>
+    </message>
+    <message>
+        <source>Name, id and birth date stand in it; otherwise the case&apos;s code alone stands for the patient.</source>
+        <translation>Er enthält Namen, ID und Geburtsdatum; sonst steht allein der Code des Falls für den Patienten.</translation>
+    </message>
+    <message>
+        <source>The case holds neither name, id nor birth date of the patient.</source>
+        <translation>Der Fall enthält weder Namen, ID noch Geburtsdatum des Patienten.</translation>
     </message>
 </context>
 <context>

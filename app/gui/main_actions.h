@@ -42,6 +42,7 @@ class MainActions : public QObject {
   QMenu* recent_ = nullptr;
   QAction* placeOtherwise_ = nullptr;
   QAction* embed_ = nullptr;
+  QAction* identity_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   QAction* left_ = nullptr;

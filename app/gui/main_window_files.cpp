@@ -149,21 +149,21 @@ void MainWindow::showAbout() {
   box->open();
 }
 
-void MainWindow::saveReport() {
+void MainWindow::saveReport(bool withIdentity) {
   const QString code = QString::fromStdString(document_->content().code);
   const QString path = QFileDialog::getSaveFileName(this, tr("Report as PDF"), code + QStringLiteral(".pdf"), tr("PDF (*.pdf)"));
   if (path.isEmpty()) {
     return;
   }
   try {
-    writeReport(path);
+    writeReport(path, withIdentity);
     jobBar_->tell(tr("Report written: %1").arg(QDir::toNativeSeparators(path)));
   } catch (const Error& error) {
     complain(messageOf(error));
   }
 }
 
-void MainWindow::writeReport(const QString& path) {
+void MainWindow::writeReport(const QString& path, bool withIdentity) {
   if (!document_->isOpen() || document_->freshness() != Freshness::All) {
     throw PlanningError("The plan's numbers are still being computed; try again in a moment.");
   }
@@ -171,7 +171,7 @@ void MainWindow::writeReport(const QString& path) {
                     document_->plan(),
                     document_->assessment(),
                     reportViews(document_->content(), document_->plan(), document_->tumourDistance()),
-                    false,
+                    withIdentity,
                     {}};
   if (const TerritoryReport* territories = territories_->report()) {
     report.territories = *territories;

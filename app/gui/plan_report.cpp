@@ -65,8 +65,11 @@ QString patientLine(const PlanReport& report) {
   const PatientIdentity& patient = report.content.identity;
   QStringList parts{QString::fromStdString(report.content.code)};
   if (report.withIdentity) {
-    parts << QString::fromStdString(patient.patientName) << QString::fromStdString(patient.patientId)
-          << dateText(patient.birthDate);
+    QString name = QString::fromStdString(patient.patientName);
+    name.replace('^', QStringLiteral(", "));
+    const QString id = QString::fromStdString(patient.patientId);
+    const QString born = dateText(patient.birthDate);
+    parts << name << (id.isEmpty() ? id : tr("id %1").arg(id)) << (born.isEmpty() ? born : tr("born %1").arg(born));
   }
   parts << tr("CT of %1").arg(dateText(patient.studyDate)) << QString::fromStdString(patient.seriesDescription);
   parts.removeAll(QString());
@@ -286,6 +289,11 @@ void drawPages(QPdfWriter& writer, QTextDocument& document, const QString& foote
 
 }  // namespace
 
+bool hasIdentity(const Case& content) {
+  const PatientIdentity& patient = content.identity;
+  return !patient.patientName.empty() || !patient.patientId.empty() || !patient.birthDate.empty();
+}
+
 std::array<QImage, 3> reportViews(const Case& content, const ResectionPlan& plan,
                                   const std::shared_ptr<const TumourDistance>& tumours) {
   ModelView view;
@@ -304,6 +312,9 @@ std::array<QImage, 3> reportViews(const Case& content, const ResectionPlan& plan
 }
 
 void writePdf(const PlanReport& report, const QString& path) {
+  if (report.withIdentity && !hasIdentity(report.content)) {
+    throw PlanningError("The case holds neither name, id nor birth date of the patient; write the report without them.");
+  }
   QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly)) {
     throw InputError(path.toStdString() + " cannot be written; check the folder.");

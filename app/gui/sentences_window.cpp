@@ -46,6 +46,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
                        "mm and more.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Open a case first.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 cannot be written; check the folder.")},
+    {"", QT_TRANSLATE_NOOP("Sentence",
+                           "The case holds neither name, id nor birth date of the patient; write the report without them.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The plan's numbers are still being computed; try again in a moment.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has no surface yet.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Choose a format.")},

@@ -44,7 +44,8 @@ Ended glisson(const QStringList& arguments) {
 TEST(ProgramTest, WrongUsageEndsWithTwoAndOneLine) {
   for (const QStringList& wrong :
        {QStringList{"--size", "big", "x.glisson"}, QStringList{"--screenshot", "x.png"}, QStringList{"--pdf", "x.pdf"},
-        QStringList{"--no-such-flag"}, QStringList{"--sample", "x.glisson"}, QStringList{"--lang", "xx"}}) {
+        QStringList{"--sample", "--identity"}, QStringList{"--no-such-flag"}, QStringList{"--sample", "x.glisson"},
+        QStringList{"--lang", "xx"}}) {
     const Ended ended = glisson(wrong);
     EXPECT_EQ(ended.code, 2) << wrong.join(' ').toStdString();
     EXPECT_EQ(ended.err.count('\n'), 0) << ended.err.toStdString();
@@ -103,6 +104,16 @@ TEST(ProgramTest, TheReportSpeaksTheWindowsLanguage) {
     EXPECT_FALSE(text.contains(english, Qt::CaseInsensitive)) << english << "\n" << text.toStdString();
   }
   EXPECT_TRUE(text.contains("Sicherheitsabstand")) << text.toStdString();
+}
+
+TEST(ProgramTest, TheReportNamesThePatientOnlyWhenAsked_H8) {
+  const QTemporaryDir folder;
+  const QString report = folder.filePath("named.pdf");
+  const Ended ended = glisson({"--sample", "--pdf", report, "--identity", "--lang", "en"});
+  ASSERT_EQ(ended.code, 0) << ended.err.toStdString();
+  const QString text = textOf(report);
+  EXPECT_TRUE(text.contains("Glisson, Sample")) << text.toStdString();
+  EXPECT_TRUE(QRegularExpression("\\bid \\S").match(text).hasMatch()) << text.toStdString();
 }
 
 TEST(ProgramTest, TheSamplePatientsPictureShowsTheWholeWindowWithTheModelAndItsReportItsNumbers) {

@@ -37,6 +37,7 @@
 #include "app/gui/view_area.h"
 #include "app/jobs/thread_job_runner.h"
 #include "planning/exchange/package.h"
+#include "reconstruction/errors.h"
 #include "small_case.h"
 #include "wait.h"
 
@@ -344,6 +345,30 @@ TEST_F(WindowTest, ACopyWithTheCtSaysItsSizeBeforeItAsksForTheFile) {
   document().saveCopyWithCt(folder.filePath("copy.glisson").toStdString());
   ASSERT_TRUE(waitFor([&] { return saved.count() == 1; }));
   EXPECT_TRUE(CaseFile::open(folder.filePath("copy.glisson").toStdString()).hasEmbeddedCt());
+}
+
+TEST_F(WindowTest, AReportThatNamesThePatientIsOfferedOnlyWhereTheCaseKnowsOne_H8) {
+  EXPECT_FALSE(find<QAction>("actionReportIdentity")->isEnabled());
+  openSmallWithPlane();
+  EXPECT_TRUE(find<QAction>("actionReportIdentity")->isEnabled());
+  for (const bool named : {false, true}) {
+    const QString report = folder.filePath("report.pdf");
+    window->writeReport(report, named);
+    QProcess reader;
+    reader.start("pdftotext", {"-layout", report, "-"});
+    ASSERT_TRUE(reader.waitForFinished());
+    const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    for (const char* part : {"Small, Patient", "id SP-17", "born 1961-02-03"}) {
+      EXPECT_EQ(text.contains(part), named) << part << text.toStdString();
+    }
+  }
+  Case nameless = smallCase();
+  nameless.identity = {};
+  emit window->opener().opened(nameless, nullptr, {});
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(find<QAction>("actionReportIdentity")->isEnabled());
+  EXPECT_THROW(window->writeReport(folder.filePath("none.pdf"), true), PlanningError);
+  EXPECT_FALSE(QFile::exists(folder.filePath("none.pdf")));
 }
 
 TEST_F(WindowTest, ThePackageIsExportedAndSound) {
