@@ -2443,6 +2443,78 @@
         <source>Territory %1</source>
         <translation>Territorium %1</translation>
     </message>
+    <message>
+        <source>accept %1</source>
+        <translation>%1 freigeben</translation>
+    </message>
+    <message>
+        <source>withdraw the acceptance of %1</source>
+        <translation>Freigabe zurücknehmen: %1</translation>
+    </message>
+    <message>
+        <source>Who accepts a structure needs a name of one line, at most 200 bytes long; type it again.</source>
+        <translation>Wer eine Struktur freigibt, braucht einen Namen in einer Zeile, höchstens 200 Byte lang; geben Sie ihn noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>The time at which a structure was accepted is no time; accept it again.</source>
+        <translation>Die Zeit, zu der eine Struktur freigegeben wurde, ist keine; geben Sie sie noch einmal frei.</translation>
+    </message>
+    <message>
+        <source>%1 has no surface yet, so it cannot be accepted; reconstruct the model first.</source>
+        <translation>%1 hat noch keine Oberfläche und kann deshalb nicht freigegeben werden; rekonstruieren Sie zuerst das Modell.</translation>
+    </message>
+    <message>
+        <source>its patient cannot be read</source>
+        <translation>die Angaben zum Patienten sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 4 GiB and cannot be embedded in a case; send its files beside the case.</source>
+        <translation>%1 ist größer als 4 GiB und kann nicht in einen Fall eingebettet werden; schicken Sie ihre Dateien neben dem Fall.</translation>
+    </message>
+    <message>
+        <source>%1 holds an embedded CT that is damaged (%2) and not shown; the rest of the case is whole, ask for the file again to see the slices.</source>
+        <translation>%1 enthält eine eingebettete CT, die beschädigt ist (%2) und nicht gezeigt wird; der übrige Fall ist unversehrt, lassen Sie sich die Datei noch einmal schicken, um die Schichten zu sehen.</translation>
+    </message>
+    <message>
+        <source>its description cannot be read</source>
+        <translation>ihre Beschreibung ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>its size is impossible</source>
+        <translation>ihre Größe ist unmöglich</translation>
+    </message>
+    <message>
+        <source>it does not lie on the grid of the labels</source>
+        <translation>sie liegt nicht auf dem Gitter der Labels</translation>
+    </message>
+    <message>
+        <source>its voxels do not match their SHA-256</source>
+        <translation>ihre Voxel passen nicht zu ihrer SHA-256</translation>
+    </message>
+    <message>
+        <source>embedded in %1</source>
+        <translation>eingebettet in %1</translation>
+    </message>
+    <message>
+        <source>The case shows no CT that could be embedded; open it where its CT lies.</source>
+        <translation>Der Fall zeigt keine CT, die eingebettet werden könnte; öffnen Sie ihn dort, wo seine CT liegt.</translation>
+    </message>
+    <message>
+        <source>The CT at %1 is not the one this case was made from (its files have changed): the CT embedded in the case is shown.</source>
+        <translation>Die CT unter %1 ist nicht die, aus der dieser Fall entstand (ihre Dateien wurden geändert): Gezeigt wird die in den Fall eingebettete CT.</translation>
+    </message>
+    <message>
+        <source>The CT of this case is not at %1: the CT embedded in the case is shown.</source>
+        <translation>Die CT dieses Falls liegt nicht unter %1: Gezeigt wird die in den Fall eingebettete CT.</translation>
+    </message>
+    <message>
+        <source>%1 is the file this case is kept in; save the copy under another name.</source>
+        <translation>%1 ist die Datei, in der dieser Fall liegt; speichern Sie die Kopie unter einem anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The case holds neither name, id nor birth date of the patient; write the report without them.</source>
+        <translation>Der Fall enthält weder Namen, ID noch Geburtsdatum des Patienten; schreiben Sie den Bericht ohne sie.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -2709,6 +2781,61 @@
         <source>Left and right are proposed from the main bifurcation; nobody has confirmed them.</source>
         <translation>Links und rechts sind von der Hauptgabelung aus vorgeschlagen; niemand hat sie bestätigt.</translation>
     </message>
+    <message>
+        <source>accepted by</source>
+        <translation>freigegeben von</translation>
+    </message>
+    <message>
+        <source>Not accepted by anybody: %1.</source>
+        <translation>Von niemandem freigegeben: %1.</translation>
+    </message>
+    <message>
+        <source>id %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>geb. %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::AcceptanceBox</name>
+    <message>
+        <source>Accept</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Accept as...</source>
+        <translation>Freigeben als...</translation>
+    </message>
+    <message>
+        <source>Accept all that nobody has accepted</source>
+        <translation>Alle freigeben, die niemand freigegeben hat</translation>
+    </message>
+    <message>
+        <source>Withdraw acceptance</source>
+        <translation>Freigabe zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Select a structure in the list first.</source>
+        <translation>Wählen Sie zuerst eine Struktur in der Liste.</translation>
+    </message>
+    <message>
+        <source>It has no surface yet.</source>
+        <translation>Sie hat noch keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Your name. It stands beside what you accept, in the case, the report and the package:</source>
+        <translation>Ihr Name. Er steht bei dem, was Sie freigeben, im Fall, im Bericht und im Paket:</translation>
+    </message>
+    <message>
+        <source>Accepted by %1, %2</source>
+        <translation>Freigegeben von %1, %2</translation>
+    </message>
+    <message>
+        <source>Nobody has accepted it yet.</source>
+        <translation>Noch von niemandem freigegeben.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::CaseOpener</name>
@@ -2941,6 +3068,14 @@
         <source>edit plans</source>
         <translation>Pläne bearbeiten</translation>
     </message>
+    <message>
+        <source>accept structures</source>
+        <translation>Strukturen freigeben</translation>
+    </message>
+    <message>
+        <source>Saving a copy with the CT</source>
+        <translation>Kopie mit der CT speichern</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ExportPanel</name>
@@ -3015,6 +3150,10 @@
     <message>
         <source>exported</source>
         <translation>exportiert</translation>
+    </message>
+    <message>
+        <source>Nobody has accepted these structures; the package says so: %1</source>
+        <translation>Niemand hat diese Strukturen freigegeben; das Paket sagt es: %1</translation>
     </message>
 </context>
 <context>
@@ -3407,6 +3546,26 @@
         <source>&amp;Report as PDF...</source>
         <translation>&amp;Bericht als PDF...</translation>
     </message>
+    <message>
+        <source>Save a copy with the &amp;CT...</source>
+        <translation>Kopie mit der &amp;CT speichern...</translation>
+    </message>
+    <message>
+        <source>The case shows no CT.</source>
+        <translation>Der Fall zeigt keine CT.</translation>
+    </message>
+    <message>
+        <source>Report with the patient&apos;s &amp;name...</source>
+        <translation>Bericht mit dem &amp;Namen des Patienten...</translation>
+    </message>
+    <message>
+        <source>Name, id and birth date stand in it; otherwise the case&apos;s code alone stands for the patient.</source>
+        <translation>Er enthält Namen, ID und Geburtsdatum; sonst steht allein der Code des Falls für den Patienten.</translation>
+    </message>
+    <message>
+        <source>The case holds neither name, id nor birth date of the patient.</source>
+        <translation>Der Fall enthält weder Namen, ID noch Geburtsdatum des Patienten.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::MainWindow</name>
@@ -3497,6 +3656,26 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Report written: %1</source>
         <translation>Bericht geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Saved with the CT: %1</source>
+        <translation>Mit der CT gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Save a copy with the CT</source>
+        <translation>Kopie mit der CT speichern</translation>
+    </message>
+    <message>
+        <source>The CT of %1 x %2 x %3 voxels adds about %4 MB to the copy.</source>
+        <translation>Die CT mit %1 x %2 x %3 Voxeln macht die Kopie um etwa %4 MB größer.</translation>
+    </message>
+    <message>
+        <source>Whoever gets the file sees the slices, and the patient&apos;s name, id and birth date where the case holds them.</source>
+        <translation>Wer die Datei bekommt, sieht die Schichten und, wo der Fall sie enthält, Namen, ID und Geburtsdatum des Patienten.</translation>
+    </message>
+    <message>
+        <source>Choose the file...</source>
+        <translation>Datei wählen...</translation>
     </message>
 </context>
 <context>
@@ -4091,6 +4270,10 @@ L %2</translation>
     <message>
         <source>Note: %1</source>
         <translation>Hinweis: %1</translation>
+    </message>
+    <message>
+        <source>Accepted by a person</source>
+        <translation>Von einem Menschen freigegeben</translation>
     </message>
 </context>
 <context>

@@ -74,7 +74,8 @@ Json segmentationJson(const Segmentation& segmentation) {
   return json;
 }
 
-Json caseJson(const Case& source) {
+Json caseJson(const CaseFile& file) {
+  const Case source = file.load();
   Json structures = Json::array();
   for (const Structure& structure : source.model->structures) {
     Json entry = {{"id", structure.id}, {"name", structure.name}, {"kind", kindId(structure.kind)}};
@@ -92,8 +93,13 @@ Json caseJson(const Case& source) {
   for (const ResectionPlan& plan : source.plans) {
     plans.push_back({{"name", plan.name}, {"resections", plan.resections.size()}, {"safetyMarginMm", plan.safetyMarginMm}});
   }
-  return {{"holds", "case"},          {"code", source.code}, {"geometry", geometryJson(source.liver->geometry)},
-          {"structures", structures}, {"plans", plans},      {"warnings", source.notes}};
+  return {{"holds", "case"},
+          {"code", source.code},
+          {"geometry", geometryJson(source.liver->geometry)},
+          {"ctEmbedded", file.hasEmbeddedCt()},
+          {"structures", structures},
+          {"plans", plans},
+          {"warnings", source.notes}};
 }
 
 Json describe(const std::string& path, const ReadOptions& options, const ExecutionContext& context) {
@@ -101,7 +107,7 @@ Json describe(const std::string& path, const ReadOptions& options, const Executi
     case InputKind::Ct:
       return ctJson(readCt(path, options, context));
     case InputKind::Case:
-      return caseJson(CaseFile::open(path).load());
+      return caseJson(CaseFile::open(path));
     case InputKind::Segmentation:
     case InputKind::Unknown:  // the reader says best why it cannot be read
       break;
@@ -159,6 +165,8 @@ void printText(const Json& all) {
     for (const auto& [key, value] : entry.items()) {
       if (key == "structures") {
         printStructures(value);
+      } else if (key == "ctEmbedded") {
+        std::cout << "  CT: " << (value.get<bool>() ? "embedded" : "not embedded") << '\n';
       } else if (value.is_number()) {
         std::cout << "  " << key << ": " << (value.is_number_float() ? formatNumber(value.get<double>(), 2) : value.dump()) << '\n';
       } else if (key == "plans") {

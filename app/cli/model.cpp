@@ -17,6 +17,7 @@ namespace {
 struct Flags {
   std::string segmentation;
   std::string ct;
+  bool embedCt = false;
   std::string output;
   int threads = 0;
   InputFlags input;
@@ -71,6 +72,9 @@ int makeModel(const Flags& flags, const ExecutionContext& context) {
   if (std::filesystem::path(flags.output).extension() != ".glisson") {
     throw UsageError("-o " + flags.output + " needs the ending .glisson");
   }
+  if (flags.embedCt && flags.ct.empty()) {
+    throw UsageError("--embed-ct needs the CT that is to be in the case; name it with --ct");
+  }
   if (flags.threads < 0) {
     throw UsageError("--threads takes 1 or more, or 0 for all cores");
   }
@@ -85,10 +89,15 @@ int makeModel(const Flags& flags, const ExecutionContext& context) {
   const Case made =
       buildModel(newCase(ct, std::make_shared<const Segmentation>(std::move(segmentation))), context.range(0.2, 0.95));
   context.throwIfCancelled();
-  CaseFile::create(flags.output, made);
+  CaseFile::create(flags.output, made, {}, {.embed = flags.embedCt}, context.range(0.95, 1.0));
   printTable(*made.model);
   printNotes(made);
   std::cout << "written: " << flags.output << '\n';
+  if (flags.embedCt) {
+    constexpr double kBytesPerMb = 1e6;
+    const auto bytes = static_cast<double>(std::filesystem::file_size(flags.output));
+    std::cout << "the CT is in it: " << formatNumber(bytes / kBytesPerMb, 1) << " MB; whoever gets the file sees the slices\n";
+  }
   for (const Structure& structure : made.model->structures) {
     if (structure.reconstruction && structure.reconstruction->defects.any()) {
       complain(structure.id + " in " + flags.output + " has defects: " + structure.reconstruction->defects.names().front() +
@@ -106,6 +115,7 @@ void addModel(CLI::App& app, Action& chosen) {
   auto* command = app.add_subcommand("model", "Make the whole liver model: all structures, default methods");
   command->add_option("SEG", flags->segmentation, "Label map or folder of masks")->required();
   command->add_option("--ct", flags->ct, "The CT the segmentation belongs to");
+  command->add_flag("--embed-ct", flags->embedCt, "Put the CT into the case, to send it to somebody who has not got the images");
   command->add_option("-o,--output", flags->output, "CASE.glisson")->required();
   addInteger(*command, "--threads", flags->threads, "Threads; 0 is all cores");
   addInputFlags(*command, flags->input);

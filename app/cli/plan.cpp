@@ -201,6 +201,7 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
     print(tumours);
     print(work.plan().measures);
     print(card);
+    printAcceptance(*work.source.model);
     if (comparison) {
       print(comparison->table, comparison->differences);
     }
@@ -217,6 +218,7 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
   json["tumourMeasures"] = Json::parse(toJson(tumours));
   json["measures"] = measuresJson(work.plan().measures);
   json["flrCard"] = Json::parse(toJson(card));
+  json["structures"] = acceptanceJson(*work.source.model);
   if (work.proposal) {
     json["marginProposal"] = Json::parse(toJson(*work.proposal));
   }
@@ -236,6 +238,8 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   Work work{file.load(), 0, {}, {}, false};
   work.index = planIndex(work.source.plans, flags.plan, "--plan", flags.caseFile);
   const PatientFacts before = work.source.patient;
+  const std::shared_ptr<const LiverModel> modelBefore = work.source.model;
+  work.source.model = accepted(modelBefore, flags.acceptance, flags.caseFile);
   try {
     editList(flags, work);
     editPlan(flags, work, context);
@@ -259,7 +263,10 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
     file.storePlans(work.source.plans);
   }
   if (work.source.patient != before && !flags.dryRun) {
-    file.storePatient(work.source.patient);
+    file.storePatient(work.source.patient, "change patient facts");
+  }
+  if (work.source.model != modelBefore && !flags.dryRun) {
+    file.storeModel(*work.source.model);
   }
   show(flags, work, assessment, comparison, territories ? &*territories : nullptr, context);
   return kDone;

@@ -111,6 +111,7 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
   command.add_option("--weight", flags.weight, "The patient's weight, kg, or none");
   command.add_option("--condition", flags.condition, "The liver: normal, long-chemotherapy, injured or none");
   command.add_option("--tumour-type", flags.tumourType, "colorectal-metastases, hepatocellular or none");
+  addAcceptanceFlags(command, flags.acceptance);
   command.add_flag("--dry-run", flags.dryRun, "Show the numbers and store nothing");
   command.add_flag("--json", flags.json, "JSON on stdout");
   addTerritoryFlags(command, flags.territories);
@@ -119,6 +120,7 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
 void checkFlags(const PlanFlags& flags) {
   (void)planesOf(flags, ImageGeometry());
   (void)factsOf(flags, {});
+  checkAcceptanceFlags(flags.acceptance);
   for (const std::string& text : flags.islands) {
     (void)islandOf(text);
   }

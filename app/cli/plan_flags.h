@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/plan_acceptance.h"
 #include "app/cli/plan_territories.h"
 #include "planning/case/case.h"
 
@@ -38,6 +39,7 @@ struct PlanFlags {
   std::string condition;
   std::string tumourType;
 
+  AcceptanceFlags acceptance;
   TerritoryFlags territories;
   bool dryRun = false;
   bool json = false;

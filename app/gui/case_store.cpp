@@ -58,10 +58,10 @@ void CaseStore::storePlans(const std::vector<ResectionPlan>& plans, const QStrin
   });
 }
 
-void CaseStore::storePatient(const PatientFacts& facts) {
-  post([facts](Worker& worker) {
+void CaseStore::storePatient(const PatientFacts& facts, const QString& name) {
+  post([facts, name = name.toStdString()](Worker& worker) {
     if (worker.file) {
-      worker.file->storePatient(facts);
+      worker.file->storePatient(facts, name);
     }
   });
 }
@@ -75,10 +75,18 @@ void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
   });
 }
 
+void CaseStore::withHistory(std::function<void(std::vector<PlanStep>)> then) {
+  post([this, then = std::move(then)](Worker& worker) {
+    std::vector<PlanStep> history = worker.file ? worker.file->history() : std::vector<PlanStep>();
+    QMetaObject::invokeMethod(
+        this, [then, history = std::move(history)] { then(history); }, Qt::QueuedConnection);
+  });
+}
+
 void CaseStore::saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete) {
   post([this, path, content, obsolete](Worker& worker) {
     const std::vector<PlanStep> history = worker.file ? worker.file->history() : std::vector<PlanStep>();
-    auto fresh = std::make_shared<CaseFile>(CaseFile::create(path, content, history));
+    auto fresh = std::make_shared<CaseFile>(CaseFile::create(path, content, history, {.earlier = worker.file.get()}));
     worker.file = std::move(fresh);
     if (!obsolete.empty() && obsolete != path) {
       std::error_code ignored;  // a recovery file left behind is no loss

@@ -30,9 +30,12 @@ class CaseStore : public QObject {
   void adopt(std::shared_ptr<CaseFile> file);
   /// `name`: of the edit, for the undo history.
   void storePlans(const std::vector<ResectionPlan>& plans, const QString& name);
-  void storePatient(const PatientFacts& facts);
+  void storePatient(const PatientFacts& facts, const QString& name);
   void storeModel(std::shared_ptr<const LiverModel> model);
-  /// Writes the whole case to `path`, goes on there, and removes `obsolete` (a recovery file) where it is given.
+  /// Hands the undo records of everything given over before to `then`, later, on the UI thread.
+  void withHistory(std::function<void(std::vector<PlanStep>)> then);
+  /// Writes the whole case to `path`, goes on there, and removes `obsolete` (a recovery file) where it is given. A CT embedded in
+  /// the file it was in goes over.
   void saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete);
   /// Emits saved() after all that was handed over before is on disk.
   void checkpoint();

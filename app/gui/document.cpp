@@ -126,9 +126,7 @@ void Document::setAppearance(const std::string& structureId, const Appearance& a
 void Document::setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction) {
   const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
   if (structure != nullptr) {
-    Structure changed = *structure;
-    changed.reconstruction = std::move(reconstruction);
-    replaceModel(withStructure(*case_.model, std::move(changed)));
+    replaceModel(withStructure(*case_.model, withReconstruction(*structure, std::move(reconstruction))));
   }
 }
 
@@ -169,6 +167,25 @@ void Document::saveAs(const std::filesystem::path& path) {
     savingIndex_ = undo_.index();
     store_.saveAs(path, case_, recovery_ ? path_ : std::filesystem::path());
   }
+}
+
+void Document::saveCopyWithCt(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!open_ || path == path_ || std::filesystem::equivalent(path, path_, ignored)) {
+    emit storeFailed(QStringLiteral("%1 is the file this case is kept in; save the copy under another name.")
+                         .arg(QString::fromStdString(path.string())));
+    return;
+  }
+  store_.withHistory([this, path, content = case_](const std::vector<PlanStep>& history) {
+    JobRequest request{.key = "copy", .title = tr("Saving a copy with the CT")};
+    request.fail = [this](const std::exception& error) { emit storeFailed(messageOf(error)); };
+    submitFor<std::filesystem::path>(
+        jobs_, std::move(request),
+        [path, content, history](const ExecutionContext& context) {
+          return CaseFile::create(path, content, history, {.embed = true}, context).path();
+        },
+        [this](const std::filesystem::path& written) { emit copySaved(QString::fromStdString(written.string())); });
+  });
 }
 
 namespace {

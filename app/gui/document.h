@@ -86,6 +86,9 @@ class Document : public QObject {
   void setPatient(const PatientFacts& facts);
   void setColour(const std::string& structureId, Rgb colour);
   void setOpacity(const std::string& structureId, double opacity);
+  /// These structures are accepted by a person, now; those that are not made yet are left out. One step.
+  void accept(const std::vector<std::string>& structureIds, const std::string& by);
+  void withdrawAcceptance(const std::string& structureId);
   /// A matter of looking, not of the plan: stored, but no undo step.
   void setVisible(const std::string& structureId, bool visible);
 
@@ -94,7 +97,7 @@ class Document : public QObject {
   void dragTo(const HalfSpace& plane);
   void endDrag(const HalfSpace& plane);
 
-  /// A finished reconstruction; colour, opacity and visibility stay as the user has set them meanwhile.
+  /// A finished reconstruction; colour, opacity and visibility stay as the user has set them meanwhile. Nobody has accepted it.
   void setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction);
   /// The CT of a case that was opened from its file. Ignored where its grid is not the labels'.
   void setCt(std::shared_ptr<const CtVolume> ct);
@@ -104,6 +107,8 @@ class Document : public QObject {
   /// A case in the recovery folder has no name yet: use saveAs().
   void save();
   void saveAs(const std::filesystem::path& path);
+  /// Writes a copy that holds the CT too, in a job; the case stays where it is. copySaved() tells.
+  void saveCopyWithCt(const std::filesystem::path& path);
   /// Blocks until every edit is on disk.
   void flush() { store_.flush(); }
 
@@ -120,12 +125,14 @@ class Document : public QObject {
   void assessmentChanged();  ///< new numbers, or old ones out of date
   void cleanChanged();
   void saved(const QString& path);
+  void copySaved(const QString& path);
   void storeFailed(const QString& sentence);  ///< in English
 
  private:
   friend class PlansCommand;
   friend class PatientCommand;
   friend class AppearanceCommand;
+  friend class AcceptanceCommand;
   struct Appearance {
     Rgb colour;
     double opacity = 1;
@@ -136,8 +143,13 @@ class Document : public QObject {
   void setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name);
   /// The edits of earlier sessions onto the undo stack; what was undone then is not there.
   void restoreHistory(const CaseFile& file);
-  void storePatient(const PatientFacts& facts);
+  /// `name`: of the edit, for the history; empty where it takes one back.
+  void storePatient(const PatientFacts& facts, const QString& name);
   void setAppearance(const std::string& structureId, const Appearance& appearance);
+  void pushAcceptance(const QString& name, const std::vector<const Structure*>& structures, const std::optional<Acceptance>& after);
+  /// `of`: the surface that was looked at; a structure that has another one by now keeps what it has.
+  void setAcceptance(const std::string& structureId, const std::shared_ptr<const Reconstruction>& of,
+                     const std::optional<Acceptance>& acceptance);
   void replaceModel(std::shared_ptr<const LiverModel> model);
   void prepareAssessor();
   void assessVolumes();

@@ -8,6 +8,15 @@ namespace glisson {
 
 namespace {
 
+constexpr const char* kPatientStep = QT_TRANSLATE_NOOP("glisson::Document", "change patient facts");
+
+bool leadsBack(const PlanStep& undo, const PlanStep& step) {
+  if (undo.patient || step.patient) {
+    return undo.patient && step.patient && step.patient->before == undo.patient->after;
+  }
+  return step.before == undo.after;
+}
+
 /// The nearest place that exists.
 ChosenPlane existing(const std::vector<ResectionPlan>& plans, ChosenPlane chosen) {
   const auto within = [](std::size_t place, std::size_t size) { return size == 0 ? 0 : std::min(place, size - 1); };
@@ -162,14 +171,22 @@ void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& cho
 void Document::restoreHistory(const CaseFile& file) {
   std::vector<PlanStep> standing;
   for (PlanStep& step : file.history()) {
+    if (!step.patient && step.before == step.after) {
+      continue;  // an edit of the patient that an older program copied without what it did
+    }
     // An undo was stored as an edit without a name that leads back.
-    if (step.name.empty() && !standing.empty() && standing.back().before == step.after) {
+    if (step.name.empty() && !standing.empty() && leadsBack(step, standing.back())) {
       standing.pop_back();
     } else {
       standing.push_back(std::move(step));
     }
   }
   for (const PlanStep& step : standing) {
+    if (step.patient) {
+      const QString text = step.name.empty() ? QString::fromLatin1(kPatientStep) : QString::fromStdString(step.name);
+      undo_.push(new PatientCommand(*this, text, step.patient->before, step.patient->after, true));
+      continue;
+    }
     const QString name = step.name.empty() ? QString::fromLatin1(QT_TR_NOOP("edit plans")) : QString::fromStdString(step.name);
     undo_.push(
         new PlansCommand(*this, name, {step.before, existing(step.before, {})}, {step.after, existing(step.after, {})}, true));
@@ -180,14 +197,14 @@ void Document::restoreHistory(const CaseFile& file) {
 void Document::setPatient(const PatientFacts& facts) {
   validate(facts);
   if (!(facts == case_.patient)) {
-    undo_.push(new PatientCommand(*this, QString::fromLatin1(QT_TR_NOOP("change patient facts")), case_.patient, facts));
+    undo_.push(new PatientCommand(*this, QString::fromLatin1(kPatientStep), case_.patient, facts));
   }
 }
 
-void Document::storePatient(const PatientFacts& facts) {
+void Document::storePatient(const PatientFacts& facts, const QString& name) {
   case_.patient = facts;
   if (!readOnly_) {
-    store_.storePatient(facts);
+    store_.storePatient(facts, name);
   }
   emit patientChanged();
 }

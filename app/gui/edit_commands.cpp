@@ -14,12 +14,18 @@ void PlansCommand::redo() {
   done_ = false;
 }
 
-PatientCommand::PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after)
-    : QUndoCommand(text), document_(document), before_(before), after_(after) {}
+PatientCommand::PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after,
+                               bool done)
+    : QUndoCommand(text), document_(document), before_(before), after_(after), done_(done) {}
 
-void PatientCommand::undo() { document_.storePatient(before_); }
+void PatientCommand::undo() { document_.storePatient(before_, {}); }
 
-void PatientCommand::redo() { document_.storePatient(after_); }
+void PatientCommand::redo() {
+  if (!done_) {
+    document_.storePatient(after_, text());
+  }
+  done_ = false;
+}
 
 AppearanceCommand::AppearanceCommand(Document& document, const QString& text, What what, std::string structureId,
                                      Document::Appearance before, Document::Appearance after)
@@ -37,5 +43,20 @@ bool AppearanceCommand::mergeWith(const QUndoCommand* other) {
 void AppearanceCommand::undo() { document_.setAppearance(structureId_, before_); }
 
 void AppearanceCommand::redo() { document_.setAppearance(structureId_, after_); }
+
+AcceptanceCommand::AcceptanceCommand(Document& document, const QString& text, std::vector<Change> changes)
+    : QUndoCommand(text), document_(document), changes_(std::move(changes)) {}
+
+void AcceptanceCommand::undo() {
+  for (const Change& change : changes_) {
+    document_.setAcceptance(change.structureId, change.of, change.before);
+  }
+}
+
+void AcceptanceCommand::redo() {
+  for (const Change& change : changes_) {
+    document_.setAcceptance(change.structureId, change.of, change.after);
+  }
+}
 
 }  // namespace glisson

@@ -28,7 +28,8 @@ class PlansCommand : public QUndoCommand {
 
 class PatientCommand : public QUndoCommand {
  public:
-  PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after);
+  /// `done` as in PlansCommand.
+  PatientCommand(Document& document, const QString& text, const PatientFacts& before, const PatientFacts& after, bool done = false);
   void undo() override;
   void redo() override;
 
@@ -36,6 +37,7 @@ class PatientCommand : public QUndoCommand {
   Document& document_;
   PatientFacts before_;
   PatientFacts after_;
+  bool done_;
 };
 
 /// Steps of the same slider on the same structure become one.
@@ -55,6 +57,24 @@ class AppearanceCommand : public QUndoCommand {
   std::string structureId_;
   Document::Appearance before_;
   Document::Appearance after_;
+};
+
+/// Several structures at once are one step. It holds for the surfaces that were looked at: done again, it leaves new ones alone.
+class AcceptanceCommand : public QUndoCommand {
+ public:
+  struct Change {
+    std::string structureId;
+    std::shared_ptr<const Reconstruction> of;
+    std::optional<Acceptance> before;
+    std::optional<Acceptance> after;
+  };
+  AcceptanceCommand(Document& document, const QString& text, std::vector<Change> changes);
+  void undo() override;
+  void redo() override;
+
+ private:
+  Document& document_;
+  std::vector<Change> changes_;
 };
 
 }  // namespace glisson

@@ -25,22 +25,25 @@ ExportPanel::ExportPanel(Document& document, JobRunner& jobs, QWidget* parent)
       glb_(new QCheckBox(this)),
       patientId_(new QCheckBox(this)),
       deviations_(new QLabel(this)),
+      notAccepted_(new QLabel(this)),
       result_(new QLabel(this)) {
   setObjectName("exportPanel");
   export_->setObjectName("exportPackage");
   stl_->setObjectName("exportStl");
   glb_->setObjectName("exportGlb");
   patientId_->setObjectName("exportPatientId");
+  notAccepted_->setObjectName("exportNotAccepted");
   result_->setObjectName("exportResult");
   stl_->setChecked(true);
   glb_->setChecked(true);
-  for (QLabel* label : {contents_, deviations_, result_}) {
+  for (QLabel* label : {contents_, deviations_, notAccepted_, result_}) {
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 4, 6, 4);
-  for (QWidget* part : std::initializer_list<QWidget*>{export_, contents_, stl_, glb_, patientId_, deviations_, result_}) {
+  for (QWidget* part :
+       std::initializer_list<QWidget*>{export_, contents_, stl_, glb_, patientId_, deviations_, notAccepted_, result_}) {
     column->addWidget(part);
   }
   column->addStretch(1);
@@ -107,6 +110,14 @@ void ExportPanel::refresh() {
   deviations_->setVisible(!found.isEmpty());
   deviations_->setText(tr("These structures deviate from their voxels; you will be asked before they are exported:") + '\n' +
                        found.join('\n'));
+  QStringList open;
+  if (document_.content().model) {
+    for (const std::string& id : notAccepted(*document_.content().model)) {
+      open << structureName(*document_.content().model->find(id));
+    }
+  }
+  notAccepted_->setVisible(!open.isEmpty());
+  notAccepted_->setText(tr("Nobody has accepted these structures; the package says so: %1").arg(open.join(QStringLiteral(", "))));
   const QString folder = QDir::toNativeSeparators(lastFolder_);
   result_->setText(lastFolder_.isEmpty() ? QString()
                    : outOfDate_          ? tr("Out of date, exported before the last change: %1").arg(folder)

@@ -48,6 +48,7 @@ class ExportPanel : public Translated<QWidget> {
   QCheckBox* glb_;
   QCheckBox* patientId_;
   QLabel* deviations_;
+  QLabel* notAccepted_;
   QLabel* result_;
   QString lastFolder_;
   int changes_ = 0;

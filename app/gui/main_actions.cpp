@@ -8,6 +8,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/number_text.h"
 #include "app/gui/place_menu.h"
+#include "app/gui/plan_report.h"
 #include "app/gui/plane_editor.h"
 #include "app/gui/plane_placer.h"
 #include "app/gui/title_line.h"
@@ -78,12 +79,15 @@ void MainActions::makeFileMenu() {
   needCase_.push_back(add(file, "actionSave", QT_TR_NOOP("&Save"), QKeySequence::Save, [this] { window_.save(); }));
   needCase_.push_back(
       add(file, "actionSaveAs", QT_TR_NOOP("Save &as..."), QKeySequence("Ctrl+Shift+S"), [this] { window_.saveAs(); }));
+  embed_ = add(file, "actionSaveCopyWithCt", QT_TR_NOOP("Save a copy with the &CT..."), {}, [this] { window_.saveCopyWithCt(); });
   needCase_.push_back(add(file, "actionExport", QT_TR_NOOP("&Export package..."), QKeySequence("Ctrl+E"), [this] {
     window_.workspaces().setCurrent(Workspace::Export);
     window_.exportPanel().startExport();
   }));
   needCase_.push_back(
-      add(file, "actionReport", QT_TR_NOOP("&Report as PDF..."), QKeySequence("Ctrl+R"), [this] { window_.saveReport(); }));
+      add(file, "actionReport", QT_TR_NOOP("&Report as PDF..."), QKeySequence("Ctrl+R"), [this] { window_.saveReport(false); }));
+  identity_ =
+      add(file, "actionReportIdentity", QT_TR_NOOP("Report with the patient's &name..."), {}, [this] { window_.saveReport(true); });
   file->addSeparator();
   add(file, "actionQuit", QT_TR_NOOP("&Quit"), QKeySequence::Quit, [this] { window_.close(); });
 }
@@ -197,6 +201,14 @@ void MainActions::refresh() {
     action->setEnabled(open);
     action->setToolTip(open ? QString() : tr("Open a case first."));
   }
+  const bool ct = open && window_.document().content().ct != nullptr;
+  embed_->setEnabled(ct);
+  embed_->setToolTip(ct ? QString() : open ? tr("The case shows no CT.") : tr("Open a case first."));
+  const bool named = open && hasIdentity(window_.document().content());
+  identity_->setEnabled(named);
+  identity_->setToolTip(named  ? tr("Name, id and birth date stand in it; otherwise the case's code alone stands for the patient.")
+                        : open ? tr("The case holds neither name, id nor birth date of the patient.")
+                               : tr("Open a case first."));
   const bool plane = window_.document().plane().has_value();
   for (QAction* action : needPlane_) {
     action->setEnabled(plane);

@@ -41,6 +41,8 @@ class MainActions : public QObject {
   std::vector<QAction*> needPlane_;
   QMenu* recent_ = nullptr;
   QAction* placeOtherwise_ = nullptr;
+  QAction* embed_ = nullptr;
+  QAction* identity_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   QAction* left_ = nullptr;

@@ -116,12 +116,15 @@ void MainWindow::connectParts() {
   connect(document_, &Document::caseChanged, this, &MainWindow::onCaseChanged);
   connect(document_, &Document::modelChanged, this, &MainWindow::refreshStates);
   connect(document_, &Document::planChanged, this, &MainWindow::refreshStates);
+  connect(document_, &Document::ctChanged, this, &MainWindow::refreshStates);
   connect(document_, &Document::cleanChanged, this, &MainWindow::refreshTitle);
   connect(document_, &Document::storeFailed, this, &MainWindow::complain);
   connect(document_, &Document::saved, this, [this](const QString& path) {
     remember(path);
     jobBar_->tell(tr("Saved: %1").arg(QDir::toNativeSeparators(path)));
   });
+  connect(document_, &Document::copySaved, this,
+          [this](const QString& path) { jobBar_->tell(tr("Saved with the CT: %1").arg(QDir::toNativeSeparators(path))); });
   connect(export_, &ExportPanel::exportFailed, this, &MainWindow::complain);
   connect(export_, &ExportPanel::exported, this, [this](const QString& folder) {
     jobBar_->tell(tr("Exported and verified: %1").arg(QDir::toNativeSeparators(folder)));

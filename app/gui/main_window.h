@@ -49,10 +49,13 @@ class MainWindow : public Translated<QMainWindow> {
   void openFolder();
   void save();
   void saveAs();
-  /// Asks for a file, then writes the report of the plan worked on.
-  void saveReport();
-  /// Throws InputError where it cannot be written, PlanningError while the numbers are not those of the plan.
-  void writeReport(const QString& path);
+  /// Says what the CT adds to the file, asks for the file, then writes the copy.
+  void saveCopyWithCt();
+  /// Asks for a file, then writes the report of the plan worked on; with the patient's name, id and birth date only where asked
+  /// for.
+  void saveReport(bool withIdentity);
+  /// Throws InputError where it cannot be written, PlanningError while the numbers are not those of the plan, and as writePdf().
+  void writeReport(const QString& path, bool withIdentity = false);
   void showAbout();
   void showLeftPanel(bool shown);
   void showRightPanel(bool shown);

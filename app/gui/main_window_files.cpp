@@ -12,8 +12,11 @@
 #include "app/gui/job_bar.h"
 #include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
+#include "app/gui/number_text.h"
 #include "app/gui/plan_report.h"
+#include "app/gui/question_box.h"
 #include "app/gui/territory_estimator.h"
+#include "planning/storage/embedded_ct.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
@@ -80,6 +83,34 @@ void MainWindow::saveAs() {
   dialog->open();
 }
 
+void MainWindow::saveCopyWithCt() {
+  const std::shared_ptr<const CtVolume> ct = document_->content().ct;
+  if (!ct) {
+    return;
+  }
+  constexpr double kBytesPerMb = 1e6;
+  const double megabytes = static_cast<double>(embeddedCtBytes(*ct)) / kBytesPerMb;
+  const auto choose = [this] {
+    QFileDialog* dialog = makeDialog(this, "saveCopyDialog", tr("Save a copy with the CT"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(tr("Glisson cases (*.glisson)"));
+    dialog->setDefaultSuffix("glisson");
+    dialog->selectFile(QString::fromStdString(document_->content().code) + "-ct.glisson");
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+      rememberFolder({path});
+      document_->saveCopyWithCt(path.toStdString());
+    });
+    dialog->open();
+  };
+  const Index3& size = ct->geometry.size;
+  ask(this,
+      {"embedDialog", tr("Save a copy with the CT"),
+       tr("The CT of %1 x %2 x %3 voxels adds about %4 MB to the copy.")
+           .arg(QString::number(size[0]), QString::number(size[1]), QString::number(size[2]), numberText(megabytes, 1)),
+       tr("Whoever gets the file sees the slices, and the patient's name, id and birth date where the case holds them.")},
+      {{"embedAccept", tr("Choose the file..."), choose}});
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) {
     event->acceptProposedAction();
@@ -118,21 +149,21 @@ void MainWindow::showAbout() {
   box->open();
 }
 
-void MainWindow::saveReport() {
+void MainWindow::saveReport(bool withIdentity) {
   const QString code = QString::fromStdString(document_->content().code);
   const QString path = QFileDialog::getSaveFileName(this, tr("Report as PDF"), code + QStringLiteral(".pdf"), tr("PDF (*.pdf)"));
   if (path.isEmpty()) {
     return;
   }
   try {
-    writeReport(path);
+    writeReport(path, withIdentity);
     jobBar_->tell(tr("Report written: %1").arg(QDir::toNativeSeparators(path)));
   } catch (const Error& error) {
     complain(messageOf(error));
   }
 }
 
-void MainWindow::writeReport(const QString& path) {
+void MainWindow::writeReport(const QString& path, bool withIdentity) {
   if (!document_->isOpen() || document_->freshness() != Freshness::All) {
     throw PlanningError("The plan's numbers are still being computed; try again in a moment.");
   }
@@ -140,7 +171,7 @@ void MainWindow::writeReport(const QString& path) {
                     document_->plan(),
                     document_->assessment(),
                     reportViews(document_->content(), document_->plan(), document_->tumourDistance()),
-                    false,
+                    withIdentity,
                     {}};
   if (const TerritoryReport* territories = territories_->report()) {
     report.territories = *territories;

@@ -92,16 +92,38 @@ void applyKinds(Segmentation& segmentation, const OpenRequest& request) {
   }
 }
 
-OpenedCase openCaseFile(const fs::path& path) {
+/// The CT in the file; where it is damaged a note says so.
+std::shared_ptr<const CtVolume> embeddedCtOf(OpenedCase& opened, const ExecutionContext& context) {
+  try {
+    return opened.file->embeddedCt(context);
+  } catch (const InputError& damage) {
+    opened.content.notes.emplace_back(damage.what());
+    return nullptr;
+  }
+}
+
+OpenedCase openCaseFile(const fs::path& path, const ExecutionContext& context) {
   OpenedCase opened;
   opened.file = std::make_shared<CaseFile>(CaseFile::open(path));
   opened.content = opened.file->load();
   std::string& ct = opened.content.ctSource;
-  if (!ct.empty() && ct != kSampleSource && fs::exists(ct) && !opened.file->ctUnchanged()) {
+  const bool builtIn = ct == kSampleSource;
+  const bool there = !ct.empty() && !builtIn && fs::exists(ct);
+  if (builtIn || (there && opened.file->ctUnchanged())) {
+    return opened;  // read when the case is shown
+  }
+  opened.content.ct = embeddedCtOf(opened, context);
+  std::vector<std::string>& notes = opened.content.notes;
+  if (there && opened.content.ct) {
+    notes.push_back("The CT at " + ct +
+                    " is not the one this case was made from (its files have changed): the CT embedded in the case is shown.");
+  } else if (there) {
     // another patient's CT on the same grid would look right [hazard H2]
-    opened.content.notes.push_back("The CT at " + ct +
-                                   " is not the one this case was made from (its files have changed): its slices are not shown.");
+    notes.push_back("The CT at " + ct +
+                    " is not the one this case was made from (its files have changed): its slices are not shown.");
     ct.clear();
+  } else if (opened.content.ct) {
+    notes.push_back("The CT of this case is not at " + ct + ": the CT embedded in the case is shown.");
   }
   return opened;
 }
@@ -147,7 +169,7 @@ OpenedCase openInputs(const OpenRequest& request, const ExecutionContext& contex
   }
   const SortedInputs inputs = sortInputs(request.paths);
   if (inputs.caseFile) {
-    return openCaseFile(*inputs.caseFile);
+    return openCaseFile(*inputs.caseFile, context);
   }
   if (!inputs.segmentation) {
     throw InputError((inputs.ct ? inputs.ct->string() : std::string("The selection")) +

@@ -8,6 +8,8 @@
 #include <QSaveFile>
 #include <QTextDocument>
 
+#include "app/gui/acceptance_box.h"
+#include "app/gui/model_builder.h"
 #include "app/gui/number_text.h"
 #include "app/gui/plan_panel.h"
 #include "app/gui/sentences.h"
@@ -63,8 +65,11 @@ QString patientLine(const PlanReport& report) {
   const PatientIdentity& patient = report.content.identity;
   QStringList parts{QString::fromStdString(report.content.code)};
   if (report.withIdentity) {
-    parts << QString::fromStdString(patient.patientName) << QString::fromStdString(patient.patientId)
-          << dateText(patient.birthDate);
+    QString name = QString::fromStdString(patient.patientName);
+    name.replace('^', QStringLiteral(", "));
+    const QString id = QString::fromStdString(patient.patientId);
+    const QString born = dateText(patient.birthDate);
+    parts << name << (id.isEmpty() ? id : tr("id %1").arg(id)) << (born.isEmpty() ? born : tr("born %1").arg(born));
   }
   parts << tr("CT of %1").arg(dateText(patient.studyDate)) << QString::fromStdString(patient.seriesDescription);
   parts.removeAll(QString());
@@ -215,21 +220,32 @@ QString meshHash(const SurfaceMesh& mesh) {
 }
 
 QString structuresOf(const PlanReport& report) {
-  QString rows = header({tr("Structure"), tr("made by"), tr("triangles"), tr("voxels, mL"), tr("surface, mL")});
+  QString rows = header({tr("Structure"), tr("made by"), tr("triangles"), tr("voxels, mL"), tr("surface, mL"), tr("accepted by")});
   QString hashes;
   for (const Structure& structure : report.content.model->structures) {
     if (!structure.reconstruction) {
-      rows += row({shownName(structure.name), tr("no surface yet"), {}, {}, {}});
+      rows += row({shownName(structure.name), tr("no surface yet"), {}, {}, {}, {}});
       continue;
     }
     const Reconstruction& made = *structure.reconstruction;
     rows += row({shownName(structure.name), shownSentence(made.parameters.describe()),
                  QLocale().toString(static_cast<qulonglong>(made.mesh.triangles.size())), numberText(made.voxelVolumeMl, 1),
-                 numberText(made.meshVolumeMl, 1)});
+                 numberText(made.meshVolumeMl, 1), acceptanceCell(structure)});
     hashes += row({shownName(structure.name), meshHash(made.mesh)});
   }
   return heading(tr("Structures and parameters")) + table(rows) + heading(tr("SHA-256 of the surfaces' vertices and triangles")) +
          QStringLiteral("<div style=\"font-family:'DejaVu Sans Mono'; font-size:6pt\">") + table(hashes) + QStringLiteral("</div>");
+}
+
+/// What nobody has looked at, on the first page.
+QString notAcceptedOf(const PlanReport& report) {
+  QStringList names;
+  for (const Structure& structure : report.content.model->structures) {
+    if (!structure.acceptance) {
+      names << structureName(structure);
+    }
+  }
+  return names.isEmpty() ? QString() : paragraph(tr("Not accepted by anybody: %1.").arg(names.join(QStringLiteral(", "))));
 }
 
 QString bodyOf(const PlanReport& report) {
@@ -241,7 +257,7 @@ QString bodyOf(const PlanReport& report) {
     html +=
         QStringLiteral("<td align=\"center\"><img src=\"view%1\" width=\"212\"><br>%2</td>").arg(n).arg(names[n].toHtmlEscaped());
   }
-  html += QStringLiteral("</tr></table>") + numbersOf(report) + tumoursOf(report);
+  html += QStringLiteral("</tr></table>") + numbersOf(report) + tumoursOf(report) + notAcceptedOf(report);
   html +=
       paragraph(tr("Pre-operative, supine, rigid: pneumoperitoneum and mobilisation move the liver by centimetres; registration "
                    "error not included. Not for clinical use."));
@@ -273,6 +289,11 @@ void drawPages(QPdfWriter& writer, QTextDocument& document, const QString& foote
 
 }  // namespace
 
+bool hasIdentity(const Case& content) {
+  const PatientIdentity& patient = content.identity;
+  return !patient.patientName.empty() || !patient.patientId.empty() || !patient.birthDate.empty();
+}
+
 std::array<QImage, 3> reportViews(const Case& content, const ResectionPlan& plan,
                                   const std::shared_ptr<const TumourDistance>& tumours) {
   ModelView view;
@@ -291,6 +312,9 @@ std::array<QImage, 3> reportViews(const Case& content, const ResectionPlan& plan
 }
 
 void writePdf(const PlanReport& report, const QString& path) {
+  if (report.withIdentity && !hasIdentity(report.content)) {
+    throw PlanningError("The case holds neither name, id nor birth date of the patient; write the report without them.");
+  }
   QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly)) {
     throw InputError(path.toStdString() + " cannot be written; check the folder.");

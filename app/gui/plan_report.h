@@ -23,11 +23,15 @@ struct PlanReport {
   std::optional<TerritoryReport> territories{};  ///< of this plan, where they were estimated
 };
 
+/// The case holds the patient's name, id or birth date: withIdentity would say something.
+bool hasIdentity(const Case& content);
+
 /// The three views of a report, drawn off-screen in full detail. Needs OpenGL; null images where there is none.
 std::array<QImage, 3> reportViews(const Case& content, const ResectionPlan& plan,
                                   const std::shared_ptr<const TumourDistance>& tumours);
 
-/// An older file at `path` is replaced by a complete one only. Throws InputError where it cannot be written.
+/// An older file at `path` is replaced by a complete one only. Throws InputError where it cannot be written, PlanningError where an
+/// identity is asked for that the case does not hold.
 void writePdf(const PlanReport& report, const QString& path);
 
 }  // namespace glisson

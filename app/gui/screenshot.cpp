@@ -21,13 +21,15 @@ QImage pictureOf(MainWindow& window) {
   return picture;
 }
 
-ScreenshotTaker::ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString picture, QString report, bool placePlane)
+ScreenshotTaker::ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString picture, QString report, bool placePlane,
+                                 bool withIdentity)
     : QObject(&window),
       window_(window),
       jobs_(jobs),
       picture_(std::move(picture)),
       report_(std::move(report)),
-      placePlane_(placePlane) {
+      placePlane_(placePlane),
+      withIdentity_(withIdentity) {
   connect(&jobs_, &JobRunner::becameIdle, this, &ScreenshotTaker::proceed, Qt::QueuedConnection);
   connect(&window_, &MainWindow::failed, this,
           [this](const QString& message) { finish(window_.document().isOpen() ? 4 : 3, message); });
@@ -59,7 +61,7 @@ void ScreenshotTaker::write() {
   }
   try {
     if (!report_.isEmpty()) {
-      window_.writeReport(report_);
+      window_.writeReport(report_, withIdentity_);
     }
     finish(0, {});
   } catch (const Error& error) {

@@ -18,7 +18,8 @@ class ScreenshotTaker : public QObject {
   Q_OBJECT
  public:
   /// Either path may be empty. `placePlane`: puts the first plane where the plan is empty (the sample patient's picture).
-  ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString picture, QString report, bool placePlane);
+  /// `withIdentity`: the report names the patient.
+  ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString picture, QString report, bool placePlane, bool withIdentity);
 
  signals:
   /// 0: written. 3: an input was refused or the file cannot be written. 4: a structure could not be made. `message` is empty for 0.
@@ -33,6 +34,7 @@ class ScreenshotTaker : public QObject {
   QString picture_;
   QString report_;
   bool placePlane_;
+  bool withIdentity_;
   bool finished_ = false;
 };
 

@@ -24,6 +24,12 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 holds a CT without a segmentation; open the CT and its segmentation together.")},
     {"",
      QT_TRANSLATE_NOOP("Sentence", "The selection holds a CT without a segmentation; open the CT and its segmentation together.")},
+    {"", QT_TRANSLATE_NOOP(
+             "Sentence",
+             "The CT at %1 is not the one this case was made from (its files have changed): the CT embedded in the case is "
+             "shown.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The CT of this case is not at %1: the CT embedded in the case is shown.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "%1 is the file this case is kept in; save the copy under another name.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The CT of this case is no longer at %1; put it back to see the slices.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The CT at %1 does not lie on the grid of the labels and is not shown.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The liver's mask is empty; there is nothing to place a plane on.")},
@@ -40,6 +46,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
                        "mm and more.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Open a case first.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 cannot be written; check the folder.")},
+    {"", QT_TRANSLATE_NOOP("Sentence",
+                           "The case holds neither name, id nor birth date of the patient; write the report without them.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The plan's numbers are still being computed; try again in a moment.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has no surface yet.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Choose a format.")},

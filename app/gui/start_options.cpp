@@ -19,6 +19,7 @@ void declare(QCommandLineParser& parser) {
       {"sample", "Open the built-in sample patient."},
       {"screenshot", "Build the model, write a picture of the window, and end.", "OUT.png"},
       {"pdf", "Build the model, write the report of its first plan, and end.", "OUT.pdf"},
+      {"identity", "The report of --pdf names the patient: name, id, birth date, as far as the case holds them."},
       {"size", "Size of the window.", "WxH"},
       {"lang", "Language of the window: en or de.", "CODE"},
       {"labels", "Kinds of labels: totalsegmentator or N=KIND,NAME=KIND,...", "KINDS"},
@@ -59,6 +60,10 @@ StartOptions parseStartOptions(const QStringList& arguments) {
   }
   if (parser.isSet("pdf") && (options.pdf.isEmpty() || (!options.sample && options.paths.isEmpty()))) {
     throw UsageError("--pdf needs the name of a PDF and something to report: a case, files, or --sample.");
+  }
+  options.identity = parser.isSet("identity");
+  if (options.identity && options.pdf.isEmpty()) {
+    throw UsageError("--identity is about the report of --pdf; name its file or leave --identity out.");
   }
   if (parser.isSet("size")) {
     options.size = parseSize(parser.value("size"));

@@ -12,8 +12,9 @@ namespace glisson {
 struct StartOptions {
   QStringList paths;
   bool sample = false;
-  QString screenshot;  ///< path of a PNG; both empty: an ordinary window
-  QString pdf;         ///< path of a report
+  QString screenshot;     ///< path of a PNG; both empty: an ordinary window
+  QString pdf;            ///< path of a report
+  bool identity = false;  ///< the report names the patient
   QSize size{1440, 900};
   QString language;  ///< "en", "de" or empty: the remembered one
   ReadOptions read;

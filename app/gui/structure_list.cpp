@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <limits>
 
+#include "app/gui/acceptance_box.h"
 #include "app/gui/label_dialog.h"
 #include "app/gui/model_builder.h"
 #include "app/gui/narrow_table.h"
@@ -43,10 +44,11 @@ StructureList::StructureList(Document& document, QWidget* parent)
       tree_(new QTreeWidget(this)),
       opacityLabel_(new QLabel(this)),
       opacity_(new QSlider(Qt::Horizontal, this)),
-      colour_(new QPushButton(this)) {
+      colour_(new QPushButton(this)),
+      acceptance_(new AcceptanceBox(document, *tree_, this)) {
   setObjectName("structureList");
   tree_->setObjectName("structureTree");
-  makeNarrow(*tree_, 2);
+  makeNarrow(*tree_, 3);
   tree_->setUniformRowHeights(true);
   opacity_->setObjectName("opacitySlider");
   opacity_->setRange(0, 100);
@@ -60,6 +62,7 @@ StructureList::StructureList(Document& document, QWidget* parent)
   row->addWidget(opacity_, 1);
   row->addWidget(colour_);
   layout->addLayout(row);
+  layout->addWidget(acceptance_);
 
   connect(&document_, &Document::caseChanged, this, &StructureList::rebuild);
   connect(&document_, &Document::modelChanged, this, &StructureList::refresh);
@@ -89,8 +92,9 @@ const Structure* StructureList::selected() const {
 }
 
 void StructureList::retranslateUi() {
-  tree_->setHeaderLabels({tr("Structure"), tr("Voxels")});
+  tree_->setHeaderLabels({tr("Structure"), tr("Voxels"), QStringLiteral("\u2713")});
   tree_->headerItem()->setToolTip(1, tr("Volume of the labelled voxels"));
+  tree_->headerItem()->setToolTip(2, tr("Accepted by a person"));
   opacityLabel_->setText(tr("Opacity"));
   colour_->setText(tr("Colour..."));
   refresh();
@@ -141,6 +145,8 @@ void StructureList::refreshItem(QTreeWidgetItem& item, const Structure& structur
   const QString report = structureReport(structure);
   item.setToolTip(0, report);
   item.setToolTip(1, report);
+  item.setText(2, structure.acceptance ? QStringLiteral("\u2713") : QString());
+  item.setToolTip(2, acceptanceText(structure));
 }
 
 void StructureList::refreshControls() {
@@ -150,6 +156,7 @@ void StructureList::refreshControls() {
   colour_->setEnabled(structure != nullptr);
   opacity_->setToolTip(reason);
   colour_->setToolTip(reason);
+  acceptance_->setStructure(structure != nullptr ? structure->id : std::string());
   if (structure != nullptr) {
     const bool before = refreshing_;
     refreshing_ = true;
@@ -195,6 +202,7 @@ QString structureReport(const Structure& structure) {
     return lines.join('\n');
   }
   const Reconstruction& made = *structure.reconstruction;
+  lines << acceptanceText(structure);
   lines << shownSentence(made.parameters.describe());
   lines << StructureList::tr("Surface %1, voxels %2 (%3), %4 triangles")
                .arg(mlText(made.meshVolumeMl, 2), mlText(made.voxelVolumeMl, 2), percentText(made.volumeDeviation() * 100.0, 2),

@@ -1,6 +1,7 @@
 #pragma once
-// Purpose: the list of structures: visibility, colour, name, volume from voxels, a warning mark; colour and opacity of the selected
-// one. The tooltip says how the surface was made and what is to be known about it.
+// Purpose: the list of structures: visibility, colour, name, volume from voxels, a warning mark, a mark where a person has accepted
+// it; colour, opacity and acceptance of the selected one. The tooltip says how the surface was made and what is to be known about
+// it.
 
 #include <QWidget>
 
@@ -14,6 +15,8 @@ class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace glisson {
+
+class AcceptanceBox;
 
 class StructureList : public Translated<QWidget> {
   Q_OBJECT
@@ -37,6 +40,7 @@ class StructureList : public Translated<QWidget> {
   QLabel* opacityLabel_;
   QSlider* opacity_;
   QPushButton* colour_;
+  AcceptanceBox* acceptance_;
   bool refreshing_ = false;
 };
 

@@ -110,6 +110,12 @@ const Mask& maskOf(const Case& source, const Structure& structure) {
 }
 }  // namespace
 
+Structure withReconstruction(Structure structure, std::shared_ptr<const Reconstruction> reconstruction) {
+  structure.reconstruction = std::move(reconstruction);
+  structure.acceptance.reset();
+  return structure;
+}
+
 const Structure* LiverModel::find(const std::string& id) const {
   for (const Structure& structure : structures) {
     if (structure.id == id) {
@@ -170,9 +176,7 @@ Structure buildStructure(const Case& source, const Structure& structure, const E
     made.notes.push_back("decimation left out: at the default it broke the mesh (" + lost + ")");
   }
   context.report(1.0, structure.name);
-  Structure built = structure;
-  built.reconstruction = std::make_shared<const Reconstruction>(std::move(made));
-  return built;
+  return withReconstruction(structure, std::make_shared<const Reconstruction>(std::move(made)));
 }
 
 std::shared_ptr<const LiverModel> withStructure(const LiverModel& model, Structure structure) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "planning/case/acceptance.h"
 #include "reconstruction/reconstruct.h"
 
 namespace glisson {
@@ -19,7 +20,11 @@ struct Structure {
   bool visible = true;
   int sourceIndex = -1;                                  ///< index into Segmentation::structures; the parenchyma is made from L
   std::shared_ptr<const Reconstruction> reconstruction;  ///< mesh, how it was made, notes; null until built
+  std::optional<Acceptance> acceptance;                  ///< of this reconstruction; nothing: nobody has accepted it
 };
+
+/// The structure with a surface made again: whoever accepted the one before has not seen this one.
+Structure withReconstruction(Structure structure, std::shared_ptr<const Reconstruction> reconstruction);
 
 struct LiverModel {
   std::uint64_t revision = 0;

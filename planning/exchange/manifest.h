@@ -38,8 +38,8 @@ std::string manifestText(const Manifest& manifest);
 /// `intact` is false where the text is not what was written. Throws InputError where it is no manifest at all.
 Manifest parseManifest(const std::string& text, const std::string& file, bool& intact);
 
-/// plan.json: frame of reference, axes, units, planes, parameters, volumes, margins, deviations, colours, version, SHA-256 of the
-/// mesh files. No free text of the source and no identity but the id where `options` asks for it.
+/// plan.json: frame of reference, axes, units, planes, parameters, volumes, margins, deviations, who accepted what, colours,
+/// version, SHA-256 of the mesh files. No free text of the source and no identity but the id where `options` asks for it.
 std::string planText(const Case& source, const ResectionPlan& plan, const ExportOptions& options, const PlanAssessment& assessment,
                      const std::vector<PackageMesh>& meshes, const std::vector<FileEntry>& files);
 /// One sentence per problem of a package's plan.json against its manifest.

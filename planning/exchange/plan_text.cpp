@@ -33,7 +33,7 @@ Json parametersOf(const Reconstruction& made) {
   return json;
 }
 
-Json structureOf(const Structure& structure) {
+Json structureOf(const Case& source, const Structure& structure) {
   const Reconstruction& made = *structure.reconstruction;
   Json json;
   json["id"] = structure.id;
@@ -51,6 +51,10 @@ Json structureOf(const Structure& structure) {
   json["defects"] = made.defects.names();
   json["notes"] = made.notes;
   json["deviations"] = made.deviations;
+  // A reviewer who bears the patient's name would name the patient.
+  const auto& accepted = structure.acceptance;
+  json["acceptedBy"] = accepted ? Json(pseudonymous(accepted->by, "a person", source)) : Json();
+  json["acceptedAt"] = accepted ? Json(accepted->at) : Json();
   return json;
 }
 
@@ -139,8 +143,9 @@ std::string planText(const Case& source, const ResectionPlan& plan, const Export
   json["assessment"] = assessmentOf(source, assessment);
   json["structures"] = Json::array();
   for (const Structure& structure : source.model->structures) {
-    json["structures"].push_back(structureOf(structure));
+    json["structures"].push_back(structureOf(source, structure));
   }
+  json["notAccepted"] = notAccepted(*source.model);
   json["files"] = filesOf(files);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "planning/storage/case_tables.h"
+#include "planning/storage/embedded_ct.h"
 #include "planning/storage/file_lock.h"
 #include "reconstruction/errors.h"
 
@@ -123,9 +124,13 @@ CaseFile::~CaseFile() = default;
 CaseFile::CaseFile(CaseFile&&) noexcept = default;
 CaseFile& CaseFile::operator=(CaseFile&&) noexcept = default;
 
-CaseFile CaseFile::create(const fs::path& path, const Case& source, const std::vector<PlanStep>& history) {
+CaseFile CaseFile::create(const fs::path& path, const Case& source, const std::vector<PlanStep>& history, const CtStorage& ct,
+                          const ExecutionContext& context) {
   if (!source.segmentation || !source.liver) {
     throw PlanningError("A case without a segmentation cannot be saved; open one first.");
+  }
+  if (ct.embed && !source.ct) {
+    throw PlanningError("The case shows no CT that could be embedded; open it where its CT lies.");
   }
   const FileLock replaced(path);
   if (replaced.isOpen() && !replaced.isWriter()) {
@@ -139,8 +144,14 @@ CaseFile CaseFile::create(const fs::path& path, const Case& source, const std::v
     // Nobody sees the draft before it is complete: it needs no journal, and is synchronised once, below.
     database.execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; BEGIN");
     caseTables::createTables(database);
-    caseTables::writeCase(database, source, meshes);
+    const Database* earlier = ct.earlier != nullptr ? &ct.earlier->impl_->database : nullptr;
+    caseTables::writeCase(database, source, meshes, earlier);
     caseTables::writeHistory(database, history);
+    if (ct.embed) {
+      caseTables::writeEmbeddedCt(database, *source.ct, context);
+    } else if (earlier != nullptr) {
+      caseTables::copyEmbeddedCt(*earlier, database);
+    }
     database.execute("COMMIT");
   }
   syncToDisk(draft.path());
@@ -190,11 +201,12 @@ void CaseFile::storePlans(const std::vector<ResectionPlan>& plans, const std::st
   }
 }
 
-void CaseFile::storePatient(const PatientFacts& facts) {
+void CaseFile::storePatient(const PatientFacts& facts, const std::string& name) {
   impl_->requireWriter();
   Transaction transaction(impl_->database);
-  caseTables::writePatient(impl_->database, facts);
-  transaction.commit();
+  if (caseTables::writePatient(impl_->database, facts, name)) {
+    transaction.commit();
+  }
 }
 
 void CaseFile::storeModel(const LiverModel& model) {
@@ -210,6 +222,19 @@ std::vector<PlanStep> CaseFile::history(std::size_t atMost) const { return caseT
 
 bool CaseFile::ctUnchanged() const {
   return caseTables::readCtFiles(impl_->database) == hashCtFiles(caseTables::readCtSource(impl_->database));
+}
+
+bool CaseFile::hasEmbeddedCt() const { return caseTables::hasEmbeddedCt(impl_->database); }
+
+std::shared_ptr<const CtVolume> CaseFile::embeddedCt(const ExecutionContext& context) const {
+  if (!hasEmbeddedCt()) {
+    return nullptr;
+  }
+  const auto [labels, identity] = caseTables::readLabelGrid(impl_->database);
+  const std::shared_ptr<CtVolume> ct = caseTables::readEmbeddedCt(impl_->database, labels, context);
+  ct->identity = identity;  // no second copy of it is in the file
+  ct->source = "embedded in " + path().string();
+  return ct;
 }
 
 bool CaseFile::readOnly() const { return !impl_->lock.isWriter(); }

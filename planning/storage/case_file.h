@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,38 +12,57 @@
 
 namespace glisson {
 
-/// The undo record of one edit.
+/// The undo record of one edit: of the plans, or of what the user said about the patient.
 struct PlanStep {
+  struct Patient {
+    PatientFacts before;
+    PatientFacts after;
+  };
   std::string name;  ///< "move plane 2"; empty where the edit had none, and in records of version 1
   std::vector<ResectionPlan> before;
   std::vector<ResectionPlan> after;
+  std::optional<Patient> patient{};  ///< of an edit of the patient; the plans stayed as they were
+};
+
+class CaseFile;
+
+/// What a new file gets of the CT beside its path and SHA-256.
+struct CtStorage {
+  bool embed = false;                 ///< the voxels of source.ct
+  const CaseFile* earlier = nullptr;  ///< the file the case was in: its embedded CT and the SHA-256 it knows go over
 };
 
 class CaseFile {
  public:
   /// Creates a new file holding `source` (masks and meshes compressed, the CT by path and SHA-256). Written beside and renamed: an
   /// existing file is replaced only by a complete one, and not while somebody edits it. `history`: of the file it is saved from.
-  /// Throws InputError.
-  static CaseFile create(const std::filesystem::path& path, const Case& source, const std::vector<PlanStep>& history = {});
+  /// Throws InputError, PlanningError where there is no CT to embed, Cancelled (polled while a CT is embedded).
+  static CaseFile create(const std::filesystem::path& path, const Case& source, const std::vector<PlanStep>& history = {},
+                         const CtStorage& ct = {}, const ExecutionContext& context = {});
   /// Opens for reading and, where no other process writes, for writing. Throws InputError: not a case, newer version, damaged.
   static CaseFile open(const std::filesystem::path& path);
   ~CaseFile();
   CaseFile(CaseFile&&) noexcept;
   CaseFile& operator=(CaseFile&&) noexcept;
 
-  /// The whole case. The CT is not read (its path is in ctSource); `ct` is null.
+  /// The whole case. The CT is not read (its path is in ctSource; see embeddedCt()); `ct` is null.
   [[nodiscard]] Case load() const;
   /// Replaces the plans in one committed transaction, together with its undo record; equal plans are no edit. Throws InputError
   /// where the file is read-only or the disk is full, PlanningError where a plane is not finite; the file then holds what it held.
   void storePlans(const std::vector<ResectionPlan>& plans, const std::string& name = {});
-  /// Replaces what the user said about the patient in one committed transaction, without an undo record. Throws as storePlans().
-  void storePatient(const PatientFacts& facts);
-  /// Replaces the model (structures, colours, meshes) in one committed transaction.
+  /// Replaces what the user said about the patient in one committed transaction, together with its undo record; equal facts are no
+  /// edit. Throws as storePlans().
+  void storePatient(const PatientFacts& facts, const std::string& name = {});
+  /// Replaces the model (structures, colours, meshes, who accepts them) in one committed transaction.
   void storeModel(const LiverModel& model);
   /// The undo records of the newest `atMost` edits, oldest first: also those made before the program was last closed.
   [[nodiscard]] std::vector<PlanStep> history(std::size_t atMost = 100) const;
   /// The files at ctSource are those the case was made from, by SHA-256. False where they are gone or other ones.
   [[nodiscard]] bool ctUnchanged() const;
+  [[nodiscard]] bool hasEmbeddedCt() const;
+  /// The CT in the file, proven by its SHA-256; null where it has none. Throws InputError where it is damaged: the rest of the case
+  /// is not concerned. Throws Cancelled.
+  [[nodiscard]] std::shared_ptr<const CtVolume> embeddedCt(const ExecutionContext& context = {}) const;
   [[nodiscard]] bool readOnly() const;
   [[nodiscard]] const std::filesystem::path& path() const;
 

@@ -254,6 +254,10 @@ Json fromStructure(const Structure& structure) {
   json["visible"] = structure.visible;
   json["sourceIndex"] = structure.sourceIndex;
   json["reconstruction"] = structure.reconstruction ? fromReconstruction(*structure.reconstruction) : Json();
+  if (structure.acceptance) {  // files of before it existed have none, and a program that does not know it forgets it: not accepted
+    validate(*structure.acceptance);
+    json["acceptance"] = {{"by", structure.acceptance->by}, {"at", structure.acceptance->at}};
+  }
   return json;
 }
 
@@ -271,6 +275,10 @@ StoredStructure toStructure(const Json& json) {
     stored.reconstruction = toReconstruction(made);
     stored.vertices = made.at("vertices");
     stored.triangles = made.at("triangles");
+    if (json.contains("acceptance")) {
+      stored.structure.acceptance = Acceptance{json.at("acceptance").at("by"), json.at("acceptance").at("at")};
+      validate(*stored.structure.acceptance);
+    }
   }
   return stored;
 }

@@ -1,59 +1,17 @@
 #include "planning/storage/case_tables.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 
 #include "planning/storage/case_json.h"
+#include "planning/storage/embedded_ct.h"
 #include "planning/storage/packing.h"
+#include "planning/storage/table_access.h"
 #include "reconstruction/errors.h"
 
 namespace glisson::caseTables {
 
 namespace {
 using caseJson::Json;
-
-std::int64_t crcOf(std::string_view text) {
-  return static_cast<std::int64_t>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
-}
-
-/// A text that is no UTF-8 (a name from a foreign file) must not make the case impossible to save.
-std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-[[noreturn]] void damaged(const Database& database, const std::string& what) {
-  throw InputError(database.path().string() + " is damaged (" + what + "); open an older copy of the case.");
-}
-
-void putDocument(const Database& database, const char* key, const std::string& text) {
-  Statement statement(database, "INSERT OR REPLACE INTO document(key, json, crc) VALUES(?, ?, ?)");
-  statement.bind(0, std::string_view(key)).bind(1, std::string_view(text)).bind(2, crcOf(text)).step();
-}
-
-std::string documentText(const Database& database, const char* key) {
-  Statement statement(database, "SELECT json, crc FROM document WHERE key = ?");
-  if (!statement.bind(0, std::string_view(key)).step()) {
-    damaged(database, std::string("its ") + key + " is missing");
-  }
-  std::string text = statement.text(0);
-  if (crcOf(text) != statement.number(1)) {
-    damaged(database, std::string("its ") + key + " does not match its checksum");
-  }
-  return text;
-}
-
-void putPart(const Database& database, const std::string& key, const Packed& packed) {
-  Statement statement(database, "INSERT OR REPLACE INTO part(key, data) VALUES(?, ?)");
-  statement.bind(0, std::string_view(key)).bind(1, std::span<const std::byte>(packed.data)).step();
-}
-
-template <typename Unpack>
-auto getPart(const Database& database, const std::string& key, Unpack&& unpack) {
-  Statement statement(database, "SELECT data FROM part WHERE key = ?");
-  if (!statement.bind(0, std::string_view(key)).step()) {
-    damaged(database, "its " + key + " is missing");
-  }
-  return unpack(statement.bytes(0));
-}
 
 Mask getMask(const Database& database, const std::string& key, const Json& box, const Index3& size) {
   return getPart(database, key, [&](std::span<const std::byte> data) { return unpackMask(data, caseJson::toBox(box, size)); });
@@ -131,6 +89,8 @@ std::string plansText(const std::vector<ResectionPlan>& plans) {
   return text;
 }
 
+std::string factsText(const PatientFacts& facts) { return textOf(caseJson::fromFacts(facts)); }
+
 std::int64_t versionOf(const Database& database) { return database.number("PRAGMA user_version"); }
 
 void setVersion(const Database& database) { database.execute(("PRAGMA user_version=" + std::to_string(kVersion)).c_str()); }
@@ -138,10 +98,34 @@ void setVersion(const Database& database) { database.execute(("PRAGMA user_versi
 /// What an edit of an older file has to do first; part of the edit's transaction.
 void bringUpToDate(const Database& database) {
   if (versionOf(database) < kVersion) {
-    putDocument(database, "patient", textOf(caseJson::fromFacts({})));
+    putDocument(database, "patient", factsText({}));
     database.execute("ALTER TABLE history ADD COLUMN name TEXT NOT NULL DEFAULT ''");
     setVersion(database);
   }
+}
+
+/// What `read` gives; whatever does not fit becomes a sentence about the file.
+template <typename Read>
+auto readOrDamaged(const Database& database, const std::string& misfit, Read&& read) {
+  try {
+    return read();
+  } catch (const Json::exception&) {
+    damaged(database, misfit);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    damaged(database, error.what());
+  }
+}
+
+PatientFacts readPatient(const Database& database) {
+  return readOrDamaged(database, "its patient cannot be read", [&] {
+    return versionOf(database) > 1 ? caseJson::toFacts(Json::parse(documentText(database, "patient"))) : PatientFacts();
+  });
+}
+
+bool recordsPatient(const Database& database) {
+  return database.number("SELECT count(*) FROM pragma_table_info('history') WHERE name = 'patient_after'") > 0;
 }
 }  // namespace
 
@@ -151,12 +135,25 @@ void createTables(const Database& database) {
       "CREATE TABLE part(key TEXT PRIMARY KEY, data BLOB NOT NULL) STRICT;"
       "CREATE TABLE ct_file(name TEXT PRIMARY KEY, bytes INTEGER NOT NULL, sha256 TEXT NOT NULL) STRICT;"
       "CREATE TABLE history(step INTEGER PRIMARY KEY, before TEXT NOT NULL, after TEXT NOT NULL, "
-      "name TEXT NOT NULL DEFAULT '') STRICT;");
+      "name TEXT NOT NULL DEFAULT '', patient_before TEXT, patient_after TEXT) STRICT;");
   database.execute(("PRAGMA application_id=" + std::to_string(kApplicationId)).c_str());
   setVersion(database);
 }
 
-void writeCase(const Database& database, const Case& source, StoredMeshes& stored) {
+namespace {
+/// The files' hashes are of the day the case was made: what lies at the path by now may be something else, or nothing.
+std::vector<CtFileHash> ctFilesOf(const Case& source, const Database* earlier) {
+  if (earlier != nullptr && readCtSource(*earlier) == source.ctSource) {
+    std::vector<CtFileHash> known = readCtFiles(*earlier);
+    if (!known.empty()) {
+      return known;
+    }
+  }
+  return hashCtFiles(source.ctSource);
+}
+}  // namespace
+
+void writeCase(const Database& database, const Case& source, StoredMeshes& stored, const Database* earlier) {
   Json json;
   json["code"] = source.code;
   json["identity"] = caseJson::fromIdentity(source.identity);
@@ -171,9 +168,10 @@ void writeCase(const Database& database, const Case& source, StoredMeshes& store
   writeSegmentation(database, *source.segmentation);
   writeModel(database, source.model ? *source.model : LiverModel(), stored);
   putDocument(database, "plans", plansText(source.plans));
-  writePatient(database, source.patient);
+  validate(source.patient);
+  putDocument(database, "patient", factsText(source.patient));
   if (!source.ctSource.empty()) {
-    for (const CtFileHash& file : hashCtFiles(source.ctSource)) {
+    for (const CtFileHash& file : ctFilesOf(source, earlier)) {
       Statement(database, "INSERT INTO ct_file(name, bytes, sha256) VALUES(?, ?, ?)")
           .bind(0, std::string_view(file.name))
           .bind(1, file.bytes)
@@ -216,11 +214,27 @@ void appendStep(const Database& database, const std::string& before, const std::
       .bind(2, std::string_view(name))
       .step();
 }
+
+/// The plans stand in the record as well: to a program that does not know its last columns it is an edit that changes nothing.
+void appendPatientStep(const Database& database, const std::string& plans, const PlanStep::Patient& patient,
+                       const std::string& name) {
+  Statement(database, "INSERT INTO history(before, after, name, patient_before, patient_after) VALUES(?, ?, ?, ?, ?)")
+      .bind(0, std::string_view(plans))
+      .bind(1, std::string_view(plans))
+      .bind(2, std::string_view(name))
+      .bind(3, std::string_view(factsText(patient.before)))
+      .bind(4, std::string_view(factsText(patient.after)))
+      .step();
+}
 }  // namespace
 
 void writeHistory(const Database& database, const std::vector<PlanStep>& steps) {
   for (const PlanStep& step : steps) {
-    appendStep(database, plansText(step.before), plansText(step.after), step.name);
+    if (step.patient) {
+      appendPatientStep(database, plansText(step.after), *step.patient, step.name);
+    } else {
+      appendStep(database, plansText(step.before), plansText(step.after), step.name);
+    }
   }
 }
 
@@ -236,10 +250,20 @@ bool writePlans(const Database& database, const std::vector<ResectionPlan>& plan
   return true;
 }
 
-void writePatient(const Database& database, const PatientFacts& facts) {
+bool writePatient(const Database& database, const PatientFacts& facts, const std::string& name) {
   validate(facts);
+  const PatientFacts before = readPatient(database);
+  if (before == facts) {
+    return false;
+  }
   bringUpToDate(database);
-  putDocument(database, "patient", textOf(caseJson::fromFacts(facts)));
+  if (!recordsPatient(database)) {
+    database.execute("ALTER TABLE history ADD COLUMN patient_before TEXT");
+    database.execute("ALTER TABLE history ADD COLUMN patient_after TEXT");
+  }
+  putDocument(database, "patient", factsText(facts));
+  appendPatientStep(database, documentText(database, "plans"), {before, facts}, name);
+  return true;
 }
 
 Case readCase(const Database& database, StoredMeshes& stored) {
@@ -260,9 +284,7 @@ Case readCase(const Database& database, StoredMeshes& stored) {
     read.liver = std::move(liver);
     read.model = readModel(database, read.segmentation->structures.size(), stored);
     read.plans = caseJson::toPlans(Json::parse(documentText(database, "plans")));
-    if (versionOf(database) > 1) {
-      read.patient = caseJson::toFacts(Json::parse(documentText(database, "patient")));
-    }
+    read.patient = readPatient(database);
     return read;
   } catch (const Json::exception&) {
     damaged(database, "a document has not the form of version " + std::to_string(kVersion));
@@ -271,6 +293,14 @@ Case readCase(const Database& database, StoredMeshes& stored) {
   } catch (const std::runtime_error& error) {
     damaged(database, error.what());
   }
+}
+
+std::pair<ImageGeometry, PatientIdentity> readLabelGrid(const Database& database) {
+  const std::string misfit = "a document has not the form of version " + std::to_string(kVersion);
+  return readOrDamaged(database, misfit, [&]() -> std::pair<ImageGeometry, PatientIdentity> {
+    return {caseJson::toGeometry(Json::parse(documentText(database, "segmentation")).at("geometry")),
+            caseJson::toIdentity(Json::parse(documentText(database, "case")).at("identity"))};
+  });
 }
 
 std::string readCtSource(const Database& database) {
@@ -292,19 +322,22 @@ std::vector<CtFileHash> readCtFiles(const Database& database) {
 
 std::vector<PlanStep> readHistory(const Database& database, std::size_t atMost) {
   std::vector<PlanStep> steps;
-  Statement statement(database, versionOf(database) > 1 ? "SELECT before, after, name FROM history ORDER BY step DESC LIMIT ?"
-                                                        : "SELECT before, after, '' FROM history ORDER BY step DESC LIMIT ?");
+  const char* complete = "SELECT before, after, name, patient_before, patient_after FROM history ORDER BY step DESC LIMIT ?";
+  const char* named = "SELECT before, after, name, '', '' FROM history ORDER BY step DESC LIMIT ?";
+  const char* first = "SELECT before, after, '', '', '' FROM history ORDER BY step DESC LIMIT ?";
+  Statement statement(database, recordsPatient(database) ? complete : versionOf(database) > 1 ? named : first);
   statement.bind(0, static_cast<std::int64_t>(atMost));
-  try {
+  return readOrDamaged(database, "its history cannot be read", [&] {
     while (statement.step()) {
       steps.push_back({statement.text(2), caseJson::toPlans(Json::parse(statement.text(0))),
                        caseJson::toPlans(Json::parse(statement.text(1)))});
+      if (const std::string facts = statement.text(4); !facts.empty()) {
+        steps.back().patient = {caseJson::toFacts(Json::parse(statement.text(3))), caseJson::toFacts(Json::parse(facts))};
+      }
     }
-  } catch (const Json::exception&) {
-    damaged(database, "its history cannot be read");
-  }
-  std::reverse(steps.begin(), steps.end());
-  return steps;
+    std::reverse(steps.begin(), steps.end());
+    return steps;
+  });
 }
 
 }  // namespace glisson::caseTables

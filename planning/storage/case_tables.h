@@ -1,12 +1,16 @@
 #pragma once
 // Purpose: a case in the tables of its database, version 2. Private to storage/.
-//   document(key, json, crc)   'case', 'segmentation', 'model', 'plans', 'patient'; crc is CRC-32 of the text
-//   part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h
+//   document(key, json, crc)   'case', 'segmentation', 'model', 'plans', 'patient', perhaps 'ct'; crc is CRC-32 of the text
+//   part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h; 'ct/N': embedded_ct.h
 //   ct_file(name, bytes, sha256)
-//   history(step, before, after, name)   the plans before and after each edit, and what it is called
+//   history(step, before, after, name, patient_before, patient_after)   the plans before and after each edit, and what it is
+//   called;
+//       the last two are null but for an edit of the patient, whose plans are equal
 // Version 1 has no 'patient', no names of edits, and plans without islands and measures. It is read as it is, and becomes version 2
 // in the transaction of the first edit of its plans or patient: an older program then refuses it instead of dropping what it does
-// not know.
+// not know. A file of version 2 from before edits of the patient were recorded gets the last two columns with the first of them.
+// The version goes up only where an older program would show or store something wrong: it takes an edit of the patient for one that
+// changes nothing, a structure that was accepted for one that nobody has accepted, and leaves an embedded CT alone.
 
 #include <map>
 
@@ -24,15 +28,18 @@ using StoredMeshes = std::map<std::string, std::shared_ptr<const Reconstruction>
 
 /// None of these opens a transaction.
 void createTables(const Database& database);
-void writeCase(const Database& database, const Case& source, StoredMeshes& stored);
+/// `earlier`, which may be null: the file the case was in; what it knows of the same CT goes over.
+void writeCase(const Database& database, const Case& source, StoredMeshes& stored, const Database* earlier);
 void writeModel(const Database& database, const LiverModel& model, StoredMeshes& stored);
 /// Replaces the plans and appends the edit to the history; false where nothing changed.
 bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans, const std::string& name);
 /// Appends edits to the history.
 void writeHistory(const Database& database, const std::vector<PlanStep>& steps);
-/// Replaces what the user said about the patient.
-void writePatient(const Database& database, const PatientFacts& facts);
+/// Replaces what the user said about the patient and appends the edit to the history; false where nothing changed.
+bool writePatient(const Database& database, const PatientFacts& facts, const std::string& name);
 Case readCase(const Database& database, StoredMeshes& stored);
+/// What an embedded CT takes from the case: the labels' grid, and the patient.
+std::pair<ImageGeometry, PatientIdentity> readLabelGrid(const Database& database);
 std::string readCtSource(const Database& database);
 std::vector<CtFileHash> readCtFiles(const Database& database);
 

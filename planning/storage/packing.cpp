@@ -86,6 +86,39 @@ Packed packMesh(const SurfaceMesh& mesh) {
   return compressed(raw, Z_BEST_SPEED);
 }
 
+Packed packVoxels(std::span<const std::int16_t> voxels) {
+  // Neighbours are alike: their differences are small, of either sign, and so the high bytes are nearly all zero.
+  std::vector<std::byte> raw(2 * voxels.size());
+  std::uint16_t before = 0;
+  for (std::size_t n = 0; n < voxels.size(); ++n) {
+    const auto value = static_cast<std::uint16_t>(voxels[n]);
+    const auto difference = static_cast<std::uint16_t>(value - before);
+    const bool negative = (difference & 0x8000U) != 0;
+    const auto folded = static_cast<std::uint16_t>((difference << 1U) ^ (negative ? 0xFFFFU : 0U));
+    raw[n] = static_cast<std::byte>(folded & 0xFFU);
+    raw[voxels.size() + n] = static_cast<std::byte>(folded >> 8U);
+    before = value;
+  }
+  return compressed(raw, Z_BEST_SPEED);
+}
+
+std::vector<std::int16_t> unpackVoxels(std::span<const std::byte> data, std::size_t count) {
+  if (count > kLargest / 2) {
+    throw std::runtime_error("a part is larger than 4 GiB");
+  }
+  const std::vector<std::byte> raw = decompressed(data, 2 * count);
+  std::vector<std::int16_t> voxels(count);
+  std::uint16_t value = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    const auto folded =
+        static_cast<std::uint16_t>(std::to_integer<unsigned>(raw[n]) | (std::to_integer<unsigned>(raw[count + n]) << 8U));
+    const auto difference = static_cast<std::uint16_t>((folded >> 1U) ^ ((folded & 1U) != 0 ? 0xFFFFU : 0U));
+    value = static_cast<std::uint16_t>(value + difference);
+    voxels[n] = static_cast<std::int16_t>(value);
+  }
+  return voxels;
+}
+
 SurfaceMesh unpackMesh(std::span<const std::byte> data, std::size_t vertices, std::size_t triangles) {
   if (vertices > kLargest / sizeof(Vec3) || triangles > kLargest / sizeof(Triangle)) {
     throw std::runtime_error("a mesh has an impossible size");

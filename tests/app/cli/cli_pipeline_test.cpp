@@ -38,6 +38,18 @@ TEST(CliModel, HoldsEveryStructureWithoutDefects) {
   }
 }
 
+TEST(CliModel, PutsTheCtIntoTheCaseOnlyWhenAskedAndSaysSo) {
+  const TemporaryFolder folder;
+  expectRefusal(cli({"model", sampleSegmentation(), "--embed-ct", "-o", folder / "a.glisson"}), 2, "--ct");
+  EXPECT_EQ(namesIn(folder.path()), Keys{});
+  const Finished made = cli(
+      {"model", sampleSegmentation(), "--ct", (samplePatient() / "ct.nii.gz").string(), "--embed-ct", "-o", folder / "a.glisson"});
+  ASSERT_EQ(made.exitCode, 0) << made.err;
+  EXPECT_NE(made.out.find("the CT is in it: "), std::string::npos) << made.out;
+  EXPECT_EQ(Json::parse(cli({"info", folder / "a.glisson", "--json"}).out)[0]["ctEmbedded"], true);
+  EXPECT_EQ(Json::parse(cli({"info", sampleCase().string(), "--json"}).out)[0]["ctEmbedded"], false);
+}
+
 TEST(CliPlan, AddsAResectionAndGivesItsNumbers) {
   const TemporaryFolder folder;
   const std::string file = copyOfCase(folder);

@@ -165,6 +165,44 @@ TEST_F(CliPlanning, TumoursAreMeasuredAndDistancesKept) {
   EXPECT_EQ(plan({})["measures"], json["measures"]);
 }
 
+TEST_F(CliPlanning, StructuresAreAcceptedByNameKeptAndWithdrawn) {
+  const auto of = [](const Json& json, const std::string& id) {
+    for (const Json& structure : json["structures"]) {
+      if (structure["id"] == id) {
+        return structure;
+      }
+    }
+    return Json();
+  };
+  EXPECT_TRUE(of(plan({}), "portal_vein")["acceptedBy"].is_null());
+  const Json accepted = plan({"--accept-structure", "portal_vein", "--accept-structure", "tumour 1", "--accepted-by", "Dr. A"});
+  EXPECT_EQ(keysOf(accepted["structures"][0]), (Keys{"id", "name", "acceptedBy", "acceptedAt"}));
+  EXPECT_EQ(of(accepted, "portal_vein")["acceptedBy"], "Dr. A");
+  EXPECT_EQ(of(accepted, "tumour_01")["acceptedBy"], "Dr. A");
+  EXPECT_TRUE(of(accepted, "parenchyma")["acceptedAt"].is_null());
+  EXPECT_EQ(plan({})["structures"], accepted["structures"]) << "kept in the case";
+  const Json dry = plan({"--dry-run", "--withdraw-acceptance", "all"});
+  EXPECT_TRUE(of(dry, "portal_vein")["acceptedBy"].is_null());
+  EXPECT_EQ(plan({})["structures"], accepted["structures"]) << "nothing was stored";
+  const Json all = plan({"--withdraw-acceptance", "portal_vein", "--accept-structure", "parenchyma", "--accepted-by", "B"});
+  EXPECT_TRUE(of(all, "portal_vein")["acceptedBy"].is_null());
+  EXPECT_EQ(of(all, "parenchyma")["acceptedBy"], "B");
+  EXPECT_EQ(of(all, "tumour_01")["acceptedBy"], "Dr. A");
+  const std::string text = cli({"plan", file_}).out;
+  EXPECT_NE(text.find("accepted: tumour_01 by Dr. A, 20"), std::string::npos) << text;
+  EXPECT_NE(text.find("not accepted by anybody: portal_vein, "), std::string::npos) << text;
+}
+
+TEST_F(CliPlanning, AnAcceptanceWithoutANameOrAStructureIsRefusedAndStoresNothing) {
+  const std::string before = bytesOf(file_);
+  expectRefusal(refused({"--accept-structure", "portal_vein"}), 2, "--accepted-by");
+  expectRefusal(refused({"--accepted-by", "A"}), 2, "--accept-structure");
+  expectRefusal(refused({"--accept-structure", "portal_vein", "--accepted-by", " "}), 2, "needs a name");
+  expectRefusal(refused({"--accept-structure", "spleen", "--accepted-by", "A"}), 2, "portal_vein");
+  expectRefusal(refused({"--withdraw-acceptance", "nothing"}), 2, "portal_vein");
+  EXPECT_EQ(bytesOf(file_), before);
+}
+
 TEST_F(CliPlanning, IslandThatIsNoneChangesNothingAndSaysSo) {
   const Json before = plan({"--plane", at(0, 0, 0) + ",1,0,0"});
   const Json after = plan({"--island", at(-400, 0, 0) + ",resected"});

@@ -124,6 +124,45 @@ TEST_F(DocumentTest, SavingUnderANameRemovesTheRecoveryFile) {
   EXPECT_TRUE(std::filesystem::exists(named()));
 }
 
+TEST_F(DocumentTest, ACopyWithTheCtIsWrittenWithTheHistoryAndTheCaseStaysWhereItIs) {
+  document->placePlane(planeAt(7));
+  const std::filesystem::path where = document->path();
+  QStringList copies;
+  QStringList refusals;
+  QObject::connect(document.get(), &Document::copySaved, [&](const QString& path) { copies << path; });
+  QObject::connect(document.get(), &Document::storeFailed, [&](const QString& sentence) { refusals << sentence; });
+  document->saveCopyWithCt(named());
+  ASSERT_TRUE(waitFor([&] { return !copies.isEmpty() || !refusals.isEmpty(); }));
+  ASSERT_TRUE(refusals.isEmpty()) << refusals.front().toStdString();
+  EXPECT_EQ(document->path(), where);
+  EXPECT_TRUE(document->isRecovery());
+  const CaseFile copy = CaseFile::open(named());
+  ASSERT_TRUE(copy.hasEmbeddedCt());
+  EXPECT_EQ(copy.embeddedCt()->hounsfield, document->content().ct->hounsfield);
+  ASSERT_EQ(copy.history().size(), 1U);
+  EXPECT_EQ(copy.history()[0].name, "place plane");
+  document->flush();
+  document->saveCopyWithCt(where);
+  ASSERT_EQ(refusals.size(), 1);
+  EXPECT_TRUE(refusals.front().contains("is the file this case is kept in"));
+}
+
+TEST_F(DocumentTest, ACaseThatCameWithItsCtKeepsItUnderAnotherName) {
+  Case content = smallCase();
+  content.ctSource = "/nowhere/ct.nii.gz";
+  const std::filesystem::path sent = folder.filePath("sent.glisson").toStdString();
+  { const CaseFile written = CaseFile::create(sent, content, {}, {.embed = true}); }
+  auto file = std::make_shared<CaseFile>(CaseFile::open(sent));
+  Case read = file->load();
+  read.ct = file->embeddedCt();
+  document->open(std::move(read), std::move(file));
+  document->saveAs(named());
+  ASSERT_TRUE(waitFor([this] { return document->isClean() && document->path() == named(); }));
+  document->flush();
+  ASSERT_TRUE(CaseFile::open(named()).hasEmbeddedCt());
+  EXPECT_EQ(CaseFile::open(named()).embeddedCt()->hounsfield, content.ct->hounsfield);
+}
+
 TEST_F(DocumentTest, CleanMeansSaved) {
   document->placePlane(planeAt(0));
   document->saveAs(named());
@@ -161,6 +200,41 @@ TEST_F(DocumentTest, AReconstructionThatFinishesLateKeepsTheColourSetMeanwhile) 
   document->setReconstruction("tumour_01", built.reconstruction);
   EXPECT_EQ(document->content().model->find("tumour_01")->colour, (Rgb{9, 8, 7}));
   EXPECT_FALSE(document->content().model->find("tumour_01")->reconstruction->mesh.empty());
+}
+
+TEST_F(DocumentTest, AnAcceptanceIsANamedStepOnDiskAtOnceAndEndsWithItsSurface_H5) {
+  const Case content = document->content();
+  const auto now = [this](const char* id) { return document->content().model->find(id)->acceptance; };
+  document->accept({"portal_vein"}, "Dr. A");
+  EXPECT_EQ(document->undoStack().count(), 0) << "there is no surface to look at";
+  document->setReconstruction("portal_vein", buildStructure(content, *content.model->find("portal_vein")).reconstruction);
+  document->setReconstruction("tumour_01", buildStructure(content, *content.model->find("tumour_01")).reconstruction);
+  document->accept({"portal_vein"}, "Dr. A");
+  EXPECT_EQ(document->undoStack().undoText(), "accept portal vein");
+  ASSERT_TRUE(now("portal_vein"));
+  document->flush();
+  EXPECT_EQ(CaseFile::open(document->path()).load().model->find("portal_vein")->acceptance, now("portal_vein"));
+  document->setColour("portal_vein", {1, 2, 3});
+  EXPECT_TRUE(now("portal_vein")) << "a colour is no other surface";
+  document->undoStack().undo();
+  document->accept({"portal_vein", "tumour_01", "parenchyma"}, "B");
+  EXPECT_EQ(document->undoStack().undoText(), "accept structures");
+  EXPECT_EQ(now("tumour_01")->by, "B");
+  document->undoStack().undo();
+  EXPECT_EQ(now("portal_vein")->by, "Dr. A");
+  EXPECT_FALSE(now("tumour_01"));
+  document->withdrawAcceptance("portal_vein");
+  EXPECT_EQ(document->undoStack().undoText(), "withdraw the acceptance of portal vein");
+  EXPECT_FALSE(now("portal_vein"));
+  document->undoStack().undo();
+  EXPECT_TRUE(now("portal_vein"));
+  document->setReconstruction("portal_vein", buildStructure(content, *content.model->find("portal_vein")).reconstruction);
+  EXPECT_FALSE(now("portal_vein"));
+  document->undoStack().undo();
+  document->undoStack().redo();
+  EXPECT_FALSE(now("portal_vein")) << "nobody has looked at the new surface";
+  document->flush();
+  EXPECT_FALSE(CaseFile::open(document->path()).load().model->find("portal_vein")->acceptance);
 }
 
 TEST_F(DocumentTest, ACaseThatWasOnlyLookedAtLeavesNothingBehindAndAnEditedOneStays_H6) {
@@ -206,6 +280,37 @@ TEST_F(DocumentTest, AReopenedCaseHasItsUndoHistoryWithNamesWithoutWhatWasUndone
   stack.undo();
   EXPECT_EQ(again.plan().safetyMarginMm, 10);
   again.flush();
+}
+
+TEST_F(DocumentTest, ACrashLosesNoEditOfThePatientNorItsPlaceInTheHistory_H6) {
+  const PatientFacts tall{190, 80, LiverCondition::Normal, std::nullopt};
+  const PatientFacts small{160, 80, LiverCondition::Injured, std::nullopt};
+  document->setPatient(tall);
+  document->placePlane(planeAt(0));
+  document->setPatient(small);
+  document->setPatient(tall);
+  document->undoStack().undo();
+  document->undoStack().undo();
+  document->undoStack().redo();
+  document->flush();
+  auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));  // as the next start does, read only here
+  Case read = file->load();
+  Document again(jobs, recovery());
+  again.open(std::move(read), std::move(file));
+  QUndoStack& stack = again.undoStack();
+  ASSERT_EQ(stack.count(), 3);
+  EXPECT_EQ(again.content().patient, small);
+  EXPECT_EQ(stack.undoText(), "change patient facts");
+  stack.undo();
+  EXPECT_EQ(again.content().patient, tall);
+  EXPECT_TRUE(again.plane().has_value());
+  stack.undo();
+  EXPECT_FALSE(again.plane().has_value());
+  EXPECT_EQ(again.content().patient, tall);
+  stack.undo();
+  EXPECT_EQ(again.content().patient, PatientFacts());
+  stack.redo();
+  EXPECT_EQ(again.content().patient, tall);
 }
 
 TEST_F(DocumentTest, ACrashLosesNeitherTheLastEditNorItsHistory_H6) {

@@ -53,6 +53,41 @@ TEST_F(OpenInputsTest, AReplacedCtIsNotShownUnderTheCaseOfAnother_H2) {
   EXPECT_NE(reopened.content.notes.back().find("is not the one this case was made from"), std::string::npos);
 }
 
+TEST_F(OpenInputsTest, AnEmbeddedCtIsShownWhereTheOneTheCaseNamesIsMissingOrAnother) {
+  const auto ct = folder_ / "sent" / "ct.nii.gz";
+  std::filesystem::create_directories(ct.parent_path());
+  std::filesystem::copy_file(folder_ / "ct.nii.gz", ct);
+  const auto file = folder_ / "sent.glisson";
+  const OpenedCase made = open({ct, folder_ / "segmentation.seg.nrrd"});
+  { const CaseFile written = CaseFile::create(file, made.content, {}, {.embed = true}); }
+  EXPECT_EQ(open({file}).content.ct, nullptr) << "the images are where the case says";
+  std::filesystem::remove(ct);
+  const OpenedCase missing = open({file});
+  ASSERT_TRUE(missing.content.ct);
+  EXPECT_EQ(missing.content.ct->hounsfield, made.content.ct->hounsfield);
+  EXPECT_EQ(missing.content.ct->identity.patientId, made.content.identity.patientId);
+  EXPECT_NE(missing.content.notes.back().find("the CT embedded in the case is shown"), std::string::npos);
+  std::filesystem::copy_file(folder_ / "labels.nii.gz", ct);
+  const OpenedCase other = open({file});
+  ASSERT_TRUE(other.content.ct) << "H2";
+  EXPECT_EQ(other.content.ct->hounsfield, made.content.ct->hounsfield);
+  EXPECT_EQ(other.content.ctSource, ct.string()) << "what it was made from is not forgotten";
+}
+
+TEST_F(OpenInputsTest, ADamagedEmbeddedCtIsANoteAndTheCaseOpens) {
+  const auto file = folder_ / "harmed.glisson";
+  OpenedCase made = open({folder_ / "ct.nii.gz", folder_ / "segmentation.seg.nrrd"});
+  auto moved = std::make_shared<CtVolume>(*made.content.ct);
+  moved->geometry.origin += Vec3(5, 0, 0);
+  made.content.ct = moved;
+  made.content.ctSource = "/nowhere/ct.nii.gz";
+  { const CaseFile written = CaseFile::create(file, made.content, {}, {.embed = true}); }
+  const OpenedCase opened = open({file});
+  EXPECT_EQ(opened.content.ct, nullptr);
+  EXPECT_EQ(opened.content.code, made.content.code);
+  EXPECT_NE(opened.content.notes.back().find("holds an embedded CT that is damaged"), std::string::npos);
+}
+
 TEST_F(OpenInputsTest, TheBuiltInPatientsCtIsMadeAgainFromItsCaseAndNothingElse) {
   const OpenedCase opened = openInputs({.paths = {}, .sample = true, .options = {}});
   EXPECT_EQ(opened.content.ctSource, kSampleSource);

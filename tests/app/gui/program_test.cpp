@@ -44,7 +44,8 @@ Ended glisson(const QStringList& arguments) {
 TEST(ProgramTest, WrongUsageEndsWithTwoAndOneLine) {
   for (const QStringList& wrong :
        {QStringList{"--size", "big", "x.glisson"}, QStringList{"--screenshot", "x.png"}, QStringList{"--pdf", "x.pdf"},
-        QStringList{"--no-such-flag"}, QStringList{"--sample", "x.glisson"}, QStringList{"--lang", "xx"}}) {
+        QStringList{"--sample", "--identity"}, QStringList{"--no-such-flag"}, QStringList{"--sample", "x.glisson"},
+        QStringList{"--lang", "xx"}}) {
     const Ended ended = glisson(wrong);
     EXPECT_EQ(ended.code, 2) << wrong.join(' ').toStdString();
     EXPECT_EQ(ended.err.count('\n'), 0) << ended.err.toStdString();
@@ -84,7 +85,7 @@ void expectReport(const QString& path) {
   EXPECT_NEAR(millilitres(text, "Resected") + millilitres(text, "Remnant"), millilitres(text, "Liver, tumours in it included"),
               0.11);
   for (const char* part : {"Resection plan: Plan 1", "tumour 2", "Vessels crossed", "PSR d=7", "Planes", "SHA-256",
-                           "registration error not included", "page 1 of"}) {
+                           "registration error not included", "Not accepted by anybody: ", "accepted by", "page 1 of"}) {
     EXPECT_TRUE(text.simplified().contains(part)) << part << "\n" << text.toStdString();
   }
   const auto pages = text.count("page ");
@@ -103,6 +104,16 @@ TEST(ProgramTest, TheReportSpeaksTheWindowsLanguage) {
     EXPECT_FALSE(text.contains(english, Qt::CaseInsensitive)) << english << "\n" << text.toStdString();
   }
   EXPECT_TRUE(text.contains("Sicherheitsabstand")) << text.toStdString();
+}
+
+TEST(ProgramTest, TheReportNamesThePatientOnlyWhenAsked_H8) {
+  const QTemporaryDir folder;
+  const QString report = folder.filePath("named.pdf");
+  const Ended ended = glisson({"--sample", "--pdf", report, "--identity", "--lang", "en"});
+  ASSERT_EQ(ended.code, 0) << ended.err.toStdString();
+  const QString text = textOf(report);
+  EXPECT_TRUE(text.contains("Glisson, Sample")) << text.toStdString();
+  EXPECT_TRUE(QRegularExpression("\\bid \\S").match(text).hasMatch()) << text.toStdString();
 }
 
 TEST(ProgramTest, TheSamplePatientsPictureShowsTheWholeWindowWithTheModelAndItsReportItsNumbers) {

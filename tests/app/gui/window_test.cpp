@@ -8,14 +8,19 @@
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFileDialog>
+#include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QProcess>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSemaphore>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -32,6 +37,7 @@
 #include "app/gui/view_area.h"
 #include "app/jobs/thread_job_runner.h"
 #include "planning/exchange/package.h"
+#include "reconstruction/errors.h"
 #include "small_case.h"
 #include "wait.h"
 
@@ -202,6 +208,45 @@ TEST_F(WindowTest, TheCheckboxHidesAStructureInTheModel) {
   EXPECT_EQ(hidden, 1);
 }
 
+TEST_F(WindowTest, AStructureIsAcceptedByAPersonWhoIsAskedForTheNameOnce) {
+  QSettings().remove("reviewer");
+  openSmallWithPlane();
+  auto* tree = find<QTreeWidget>("structureTree");
+  EXPECT_TRUE(tree->topLevelItem(2)->text(2).isEmpty());
+  EXPECT_TRUE(find<QLabel>("exportNotAccepted")->text().contains("liver, tumour 1, portal vein"));
+  tree->setCurrentItem(tree->topLevelItem(2));
+  click("acceptButton");
+  auto* dialog = find<QInputDialog>("reviewerDialog");
+  dialog->setTextValue("  Dr. A  ");
+  dialog->accept();
+  EXPECT_EQ(tree->topLevelItem(2)->text(2), "\u2713");
+  EXPECT_TRUE(tree->topLevelItem(2)->toolTip(2).startsWith("Accepted by Dr. A, 20"))
+      << tree->topLevelItem(2)->toolTip(2).toStdString();
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: accept portal vein");
+  EXPECT_EQ(find<QPushButton>("acceptButton")->text(), "Withdraw acceptance");
+  EXPECT_TRUE(find<QLabel>("exportNotAccepted")->text().endsWith("liver, tumour 1"));
+  tree->setCurrentItem(tree->topLevelItem(1));
+  click("acceptButton");
+  EXPECT_EQ(document().content().model->find("tumour_01")->acceptance->by, "Dr. A") << "the name is remembered";
+  const QString report = folder.filePath("report.pdf");
+  ASSERT_TRUE(settle());
+  window->writeReport(report);
+  QProcess reader;
+  reader.start("pdftotext", {"-layout", report, "-"});
+  ASSERT_TRUE(reader.waitForFinished());
+  const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+  EXPECT_TRUE(text.contains("Not accepted by anybody: liver.")) << text.toStdString();
+  EXPECT_EQ(text.count("Dr. A, 20"), 2) << text.toStdString();
+  find<QAction>("actionAcceptAll")->trigger();
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: accept liver");
+  EXPECT_FALSE(find<QLabel>("exportNotAccepted")->isVisibleTo(find<QWidget>("exportPanel")));
+  click("acceptButton");
+  EXPECT_FALSE(document().content().model->find("tumour_01")->acceptance);
+  changeLanguage("de");
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), QString("Rückgängig: Freigabe zurücknehmen: Tumor 1"));
+  changeLanguage("en");
+}
+
 TEST_F(WindowTest, ARunningJobShowsItselfAndItsCancelIsObeyedAtOnce) {
   QSemaphore mayEnd;
   jobs->submit({.title = "Long work", .process = [&](const ExecutionContext&) { mayEnd.acquire(); }});
@@ -283,6 +328,47 @@ TEST_F(WindowTest, ACaseThatIsDroppedOpensWithItsPlan) {
   EXPECT_EQ(document().plane()->origin, origin);
   EXPECT_EQ(window->builder().missing(), 0);
   EXPECT_TRUE(document().isClean());
+}
+
+TEST_F(WindowTest, ACopyWithTheCtSaysItsSizeBeforeItAsksForTheFile) {
+  EXPECT_FALSE(find<QAction>("actionSaveCopyWithCt")->isEnabled());
+  openSmall();
+  find<QAction>("actionSaveCopyWithCt")->trigger();
+  auto* box = find<QMessageBox>("embedDialog");
+  EXPECT_TRUE(box->text().contains("56 x 48 x 40 voxels")) << box->text().toStdString();
+  EXPECT_TRUE(box->text().contains(" MB")) << box->text().toStdString();
+  EXPECT_TRUE(box->informativeText().contains("birth date"));
+  click("embedAccept");
+  auto* dialog = find<QFileDialog>("saveCopyDialog");
+  dialog->reject();
+  QSignalSpy saved(&document(), &Document::copySaved);
+  document().saveCopyWithCt(folder.filePath("copy.glisson").toStdString());
+  ASSERT_TRUE(waitFor([&] { return saved.count() == 1; }));
+  EXPECT_TRUE(CaseFile::open(folder.filePath("copy.glisson").toStdString()).hasEmbeddedCt());
+}
+
+TEST_F(WindowTest, AReportThatNamesThePatientIsOfferedOnlyWhereTheCaseKnowsOne_H8) {
+  EXPECT_FALSE(find<QAction>("actionReportIdentity")->isEnabled());
+  openSmallWithPlane();
+  EXPECT_TRUE(find<QAction>("actionReportIdentity")->isEnabled());
+  for (const bool named : {false, true}) {
+    const QString report = folder.filePath("report.pdf");
+    window->writeReport(report, named);
+    QProcess reader;
+    reader.start("pdftotext", {"-layout", report, "-"});
+    ASSERT_TRUE(reader.waitForFinished());
+    const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    for (const char* part : {"Small, Patient", "id SP-17", "born 1961-02-03"}) {
+      EXPECT_EQ(text.contains(part), named) << part << text.toStdString();
+    }
+  }
+  Case nameless = smallCase();
+  nameless.identity = {};
+  emit window->opener().opened(nameless, nullptr, {});
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(find<QAction>("actionReportIdentity")->isEnabled());
+  EXPECT_THROW(window->writeReport(folder.filePath("none.pdf"), true), PlanningError);
+  EXPECT_FALSE(QFile::exists(folder.filePath("none.pdf")));
 }
 
 TEST_F(WindowTest, ThePackageIsExportedAndSound) {

@@ -433,6 +433,30 @@ std::string allBytes(const std::filesystem::path& folder) {
   return bytes;
 }
 
+TEST(Package, WhoAcceptedAStructureStandsInPlanJsonAndNobodyIsNull) {
+  const Scratch scratch;
+  Case source = syntheticCase();
+  const Acceptance accepted = acceptedNow("Dr. A");
+  source.model = withAcceptance(*source.model, {"tumour_01"}, accepted);
+  const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+  const Json plan = Json::parse(readWholeFile(folder / "plan.json"));
+  EXPECT_TRUE(plan.at("structures").at(0).at("acceptedBy").is_null());
+  EXPECT_TRUE(plan.at("structures").at(0).at("acceptedAt").is_null());
+  EXPECT_EQ(plan.at("structures").at(1).at("acceptedBy"), "Dr. A");
+  EXPECT_EQ(plan.at("structures").at(1).at("acceptedAt"), accepted.at);
+  EXPECT_EQ(plan.at("notAccepted"), (Json{"parenchyma", "portal_vein"}));
+  EXPECT_EQ(verifyPackage(folder), std::vector<std::string>{});
+}
+
+TEST(PackageIdentity, AReviewerWhoBearsThePatientsNameIsNotNamed) {
+  const Scratch scratch;
+  Case source = syntheticCase();
+  source.identity.patientName = "Doe^Jane";
+  source.model = withAcceptance(*source.model, {"tumour_01"}, acceptedNow("Dr. Doe"));
+  const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+  EXPECT_EQ(Json::parse(readWholeFile(folder / "plan.json")).at("structures").at(1).at("acceptedBy"), "a person");
+}
+
 TEST(PackageIdentity, NoCanaryIsInAnyExportedByteOrName) {
   const Scratch scratch;
   std::vector<std::string> canaries;

@@ -1,7 +1,8 @@
-// What the user says about the patient in the case file, and files of the version before it.
+// What the user says about the patient and accepts, in the case file; files of the version before it, and of before it existed.
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
+#include <zlib.h>
 
 #include <cmath>
 
@@ -49,8 +50,74 @@ fs::path versionOne(const fs::path& folder) {
   Case made = ballCase();
   made.plans = {planAt(10)};
   { CaseFile::create(file, made); }
-  runSql(file, "DELETE FROM document WHERE key = 'patient'; ALTER TABLE history DROP COLUMN name; PRAGMA user_version=1");
+  runSql(file,
+         "DELETE FROM document WHERE key = 'patient'; ALTER TABLE history DROP COLUMN name; "
+         "ALTER TABLE history DROP COLUMN patient_before; ALTER TABLE history DROP COLUMN patient_after; "
+         "PRAGMA user_version=1");
   return file;
+}
+
+/// As somebody would write a document who knows its checksum.
+void forgeDocument(const fs::path& path, const char* key, const std::string& from, const std::string& to) {
+  sqlite3* handle = nullptr;
+  sqlite3_stmt* statement = nullptr;
+  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
+  ASSERT_EQ(sqlite3_prepare_v2(handle, "SELECT json FROM document WHERE key = ?", -1, &statement, nullptr), SQLITE_OK);
+  sqlite3_bind_text(statement, 1, key, -1, SQLITE_STATIC);
+  ASSERT_EQ(sqlite3_step(statement), SQLITE_ROW);
+  std::string text = reinterpret_cast<const char*>(sqlite3_column_text(statement, 0));
+  sqlite3_finalize(statement);
+  ASSERT_NE(text.find(from), std::string::npos) << text;
+  text.replace(text.find(from), from.size(), to);
+  ASSERT_EQ(sqlite3_prepare_v2(handle, "UPDATE document SET json = ?, crc = ? WHERE key = ?", -1, &statement, nullptr), SQLITE_OK);
+  sqlite3_bind_text(statement, 1, text.c_str(), -1, SQLITE_STATIC);
+  sqlite3_bind_int64(
+      statement, 2,
+      static_cast<std::int64_t>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()))));
+  sqlite3_bind_text(statement, 3, key, -1, SQLITE_STATIC);
+  EXPECT_EQ(sqlite3_step(statement), SQLITE_DONE);
+  sqlite3_finalize(statement);
+  sqlite3_close(handle);
+}
+
+Case acceptedCase(const Acceptance& acceptance) {
+  Case made = ballCase();
+  auto surface = std::make_shared<Reconstruction>();
+  surface->parameters = ReconstructionParameters::defaultsFor(StructureKind::Liver);
+  made.model = withStructure(*made.model, withReconstruction(*made.model->find("parenchyma"), surface));
+  made.model = withAcceptance(*made.model, {"parenchyma"}, acceptance);
+  return made;
+}
+
+TEST(CaseAcceptance, ComesBackIsReplacedAndIsMissingInAFileOfBeforeItExisted) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  const Acceptance acceptance{"Dr. M\xC3\xBCller \"A\"", "2026-01-31T09:05:00Z"};
+  const Case source = acceptedCase(acceptance);
+  CaseFile made = CaseFile::create(file, source);
+  EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance, acceptance);
+  made.storeModel(*withAcceptance(*source.model, {"parenchyma"}, std::nullopt));
+  EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance, std::nullopt);
+  made.storeModel(*source.model);
+  EXPECT_EQ(versionOf(file), 2) << "a program that does not know it opens the file and takes nobody for having accepted it";
+  forgeDocument(file, "model", R"("acceptance":{)", R"("forgotten":{)");
+  EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance, std::nullopt);
+}
+
+TEST(CaseAcceptance, OneThatIsNoneIsRefusedWhereverItComesFrom) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  const Case source = acceptedCase({"A", "2026-01-31T09:05:00Z"});
+  { CaseFile::create(file, source); }
+  auto wrong = std::make_shared<LiverModel>(*source.model);
+  wrong->structures.front().acceptance->at = "yesterday";
+  EXPECT_THROW(CaseFile::open(file).storeModel(*wrong), PlanningError);
+  EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance->by, "A");
+  forgeDocument(file, "model", R"("by":"A")", R"("by":7)");
+  EXPECT_THROW(CaseFile::open(file).load(), InputError);
+  { CaseFile::create(file, source); }
+  forgeDocument(file, "model", "T09:05:00Z", "T09:05");
+  EXPECT_THROW(CaseFile::open(file).load(), InputError);
 }
 
 TEST(CasePatient, ComesBackAsItWasStoredAndEmptiedAgain) {
@@ -65,7 +132,68 @@ TEST(CasePatient, ComesBackAsItWasStoredAndEmptiedAgain) {
   CaseFile::open(file).storePatient({std::nullopt, 0.1, std::nullopt, std::nullopt});
   EXPECT_EQ(CaseFile::open(file).load().patient.weightKg, 0.1);
   EXPECT_FALSE(CaseFile::open(file).load().patient.condition);
-  EXPECT_TRUE(CaseFile::open(file).history().empty()) << "the patient is no edit of a plan";
+  EXPECT_EQ(CaseFile::open(file).history().size(), 2U);
+}
+
+TEST(CasePatient, EditsComeBackWithTheirUndoRecordAmongThoseOfThePlans) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  const PatientFacts taller{180, std::nullopt, std::nullopt, std::nullopt};
+  {
+    CaseFile made = CaseFile::create(file, ballCase());
+    made.storePlans({planAt(9)}, "place plane");
+    made.storePatient(kFacts, "change patient facts");
+    made.storePatient(kFacts, "change patient facts");
+    made.storePlans({planAt(8)}, "move plane");
+    made.storePatient(taller);
+  }
+  const auto check = [&](const std::vector<PlanStep>& steps) {
+    ASSERT_EQ(steps.size(), 4U) << "equal facts are no edit";
+    EXPECT_FALSE(steps[0].patient);
+    EXPECT_EQ(steps[1].name, "change patient facts");
+    ASSERT_TRUE(steps[1].patient);
+    EXPECT_EQ(steps[1].patient->before, PatientFacts());
+    EXPECT_EQ(steps[1].patient->after, kFacts);
+    EXPECT_EQ(steps[1].after, std::vector<ResectionPlan>{planAt(9)});
+    EXPECT_EQ(steps[1].before, steps[1].after);
+    EXPECT_EQ(steps[2].name, "move plane");
+    EXPECT_FALSE(steps[2].patient);
+    ASSERT_TRUE(steps[3].patient);
+    EXPECT_EQ(steps[3].patient->before, kFacts);
+    EXPECT_EQ(steps[3].patient->after, taller);
+  };
+  const CaseFile opened = CaseFile::open(file);
+  check(opened.history());
+  check(CaseFile::create(scratch.path / "b.glisson", opened.load(), opened.history()).history());
+}
+
+TEST(CasePatient, FileFromBeforeItsEditsWereRecordedOpensAndRecordsTheNextOne) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  Case source = ballCase();
+  source.patient = kFacts;
+  { CaseFile::create(file, source).storePlans({planAt(9)}, "place plane"); }
+  runSql(file, "ALTER TABLE history DROP COLUMN patient_before; ALTER TABLE history DROP COLUMN patient_after");
+  ASSERT_EQ(CaseFile::open(file).history().size(), 1U);
+  EXPECT_EQ(CaseFile::open(file).load().patient, kFacts);
+  CaseFile::open(file).storePatient({}, "change patient facts");
+  EXPECT_EQ(versionOf(file), 2) << "an older program takes it for an edit that changes nothing";
+  const std::vector<PlanStep> steps = CaseFile::open(file).history();
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].name, "place plane");
+  ASSERT_TRUE(steps[1].patient);
+  EXPECT_EQ(steps[1].patient->before, kFacts);
+  EXPECT_EQ(steps[1].before, std::vector<ResectionPlan>{planAt(9)});
+}
+
+TEST(CasePatient, RecordThatDoesNotFitIsRefused) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  { CaseFile::create(file, ballCase()).storePatient(kFacts); }
+  for (const char* wrong : {"{}", "7", "no json", R"({"heightCm":-1,"weightKg":null,"condition":null,"tumourType":null})"}) {
+    runSql(file, ("UPDATE history SET patient_after = '" + std::string(wrong) + "'").c_str());
+    EXPECT_THROW((void)CaseFile::open(file).history(), InputError) << wrong;
+  }
 }
 
 TEST(CasePatient, NumberThatIsNoBodysIsRefusedAndTheFileKeepsWhatItHeld) {
