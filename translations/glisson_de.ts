@@ -920,6 +920,18 @@
         <translation>Kein Voxel der Maske hat einen Gradienten, die Abtastung wie im Artikel findet also keine Oberfläche.</translation>
     </message>
     <message>
+        <source>The label has no surface to measure errors from: none of its voxels has a gradient; choose another.</source>
+        <translation>Das Label hat keine Oberfläche, von der aus Fehler zu messen wären: Keines seiner Voxel hat einen Gradienten; wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>The label is too small for depth %1: depth %2 is the deepest that its voxels carry.</source>
+        <translation>Das Label ist zu klein für die Tiefe %1: Die Tiefe %2 ist die größte, die seine Voxel tragen.</translation>
+    </message>
+    <message>
+        <source>The number of timed runs is %1; choose 1 to 100.</source>
+        <translation>Die Zahl der Läufe mit Zeitmessung ist %1; wählen Sie 1 bis 100.</translation>
+    </message>
+    <message>
         <source>The cutting plane has no direction; place it again.</source>
         <translation>Die Schnittebene hat keine Richtung; setzen Sie sie neu.</translation>
     </message>
@@ -1222,6 +1234,10 @@
     <message>
         <source>checks</source>
         <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>measures</source>
+        <translation>Messung</translation>
     </message>
     <message>
         <source>simplify</source>

@@ -1,5 +1,7 @@
 #include "app/cli/command.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <system_error>
@@ -76,7 +78,14 @@ void checkWritable(const std::filesystem::path& path) {
   }
 }
 
+void clearProgress() {
+  if (isatty(STDERR_FILENO) != 0) {
+    std::cerr << "\r\033[K" << std::flush;
+  }
+}
+
 void complain(const std::string& sentence) {
+  clearProgress();
   std::string line = sentence;
   for (char& c : line) {
     if (c == '\n' || c == '\r') {

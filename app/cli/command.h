@@ -26,6 +26,7 @@ void addSample(CLI::App& app, Action& chosen);
 void addInfo(CLI::App& app, Action& chosen);
 void addReconstruct(CLI::App& app, Action& chosen);
 void addMeasure(CLI::App& app, Action& chosen);
+void addEvaluate(CLI::App& app, Action& chosen);
 void addModel(CLI::App& app, Action& chosen);
 void addPlan(CLI::App& app, Action& chosen);
 void addExport(CLI::App& app, Action& chosen);
@@ -48,7 +49,9 @@ CLI::Option* addInteger(CLI::App& command, const std::string& name, int& value, 
 /// Throws InputError where the folder that is to hold `path` is missing, UsageError where `path` is a folder: said before the work
 /// is done, not after.
 void checkWritable(const std::filesystem::path& path);
-/// One line on stderr: "glisson-cli: ...".
+/// Takes the line of progress off a terminal.
+void clearProgress();
+/// One line on stderr: "glisson-cli: ...", in the place of the progress.
 void complain(const std::string& sentence);
 
 }  // namespace glisson::cli

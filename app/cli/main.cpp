@@ -31,14 +31,7 @@ ExecutionContext progressOnTerminal() {
   });
 }
 
-void clearProgress() {
-  if (isatty(STDERR_FILENO) != 0) {
-    std::cerr << "\r\033[K" << std::flush;
-  }
-}
-
 int failed(int code, const std::string& sentence) {
-  clearProgress();
   complain(sentence);
   return code;
 }
@@ -88,6 +81,7 @@ int parseAndRun(int argc, char** argv) {
   addInfo(app, chosen);
   addReconstruct(app, chosen);
   addMeasure(app, chosen);
+  addEvaluate(app, chosen);
   addModel(app, chosen);
   addPlan(app, chosen);
   addExport(app, chosen);

@@ -46,6 +46,35 @@ double meanOf(const std::vector<double>& values, std::size_t first, std::size_t 
                       : 0.0;
 }
 
+CurvatureSummary summaryOf(const SurfaceMesh& mesh, const std::vector<bool>& leftOut) {
+  std::vector<double> angles(mesh.vertices.size(), 0.0);
+  std::vector<double> areas(mesh.vertices.size(), 0.0);
+  CurvatureSummary summary;
+  for (const Triangle& triangle : mesh.triangles) {
+    const std::array<Vec3, 3> p{mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
+    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+    summary.tinyTriangles += area < kTinyMm2 ? 1 : 0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3 u = p[(corner + 1) % 3] - p[corner];
+      const Vec3 v = p[(corner + 2) % 3] - p[corner];
+      angles[triangle[corner]] += std::atan2(u.cross(v).norm(), u.dot(v));
+      areas[triangle[corner]] += area;
+    }
+  }
+  std::vector<double> curvatures;
+  curvatures.reserve(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    if (!leftOut[i] && areas[i] > 0) {
+      curvatures.push_back(3.0 * (2.0 * std::numbers::pi - angles[i]) / areas[i]);
+    }
+  }
+  std::sort(curvatures.begin(), curvatures.end());
+  const auto trimmed = static_cast<std::size_t>(kTrimmedShare * static_cast<double>(curvatures.size()));
+  summary.trimmedPerMm2 = meanOf(curvatures, trimmed, curvatures.size() - trimmed);
+  summary.untrimmedPerMm2 = meanOf(curvatures, 0, curvatures.size());
+  return summary;
+}
+
 }  // namespace
 
 SurfaceMesh mergedVertices(const SurfaceMesh& mesh) {
@@ -83,33 +112,11 @@ SurfaceMesh mergedVertices(const SurfaceMesh& mesh) {
 
 CurvatureSummary meanGaussianCurvature(const SurfaceMesh& mesh) {
   const SurfaceMesh merged = mergedVertices(mesh);
-  std::vector<double> angles(merged.vertices.size(), 0.0);
-  std::vector<double> areas(merged.vertices.size(), 0.0);
-  CurvatureSummary summary;
-  for (const Triangle& triangle : merged.triangles) {
-    const std::array<Vec3, 3> p{merged.vertices[triangle[0]], merged.vertices[triangle[1]], merged.vertices[triangle[2]]};
-    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
-    summary.tinyTriangles += area < kTinyMm2 ? 1 : 0;
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec3 u = p[(corner + 1) % 3] - p[corner];
-      const Vec3 v = p[(corner + 2) % 3] - p[corner];
-      angles[triangle[corner]] += std::atan2(u.cross(v).norm(), u.dot(v));
-      areas[triangle[corner]] += area;
-    }
-  }
-  const std::vector<bool> open = verticesOnOpenEdges(merged);
-  std::vector<double> curvatures;
-  curvatures.reserve(merged.vertices.size());
-  for (std::size_t i = 0; i < merged.vertices.size(); ++i) {
-    if (!open[i] && areas[i] > 0) {
-      curvatures.push_back(3.0 * (2.0 * std::numbers::pi - angles[i]) / areas[i]);
-    }
-  }
-  std::sort(curvatures.begin(), curvatures.end());
-  const auto trimmed = static_cast<std::size_t>(kTrimmedShare * static_cast<double>(curvatures.size()));
-  summary.trimmedPerMm2 = meanOf(curvatures, trimmed, curvatures.size() - trimmed);
-  summary.untrimmedPerMm2 = meanOf(curvatures, 0, curvatures.size());
-  return summary;
+  return summaryOf(merged, verticesOnOpenEdges(merged));
+}
+
+CurvatureSummary gaussianCurvatureAsShipped(const SurfaceMesh& mesh) {
+  return summaryOf(mesh, std::vector<bool>(mesh.vertices.size(), false));
 }
 
 }  // namespace glisson

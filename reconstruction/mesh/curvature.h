@@ -16,6 +16,10 @@ struct CurvatureSummary {
 };
 
 CurvatureSummary meanGaussianCurvature(const SurfaceMesh& mesh);
+/// The same with the vertices as they are and none left out: a mesh whose normals are split has open edges along its sharp ones,
+/// and each copy of a vertex has the deficit of its own fan alone. Inflates K 90x and more on unsmoothed marching cubes: likely the
+/// large numbers of the paper's Table 4 (method.md 4).
+CurvatureSummary gaussianCurvatureAsShipped(const SurfaceMesh& mesh);
 
 /// The mesh with exactly equal vertices merged and unused ones dropped: what split normals and STL files take apart. Triangles keep
 /// their order.

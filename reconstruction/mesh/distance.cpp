@@ -17,7 +17,8 @@ namespace glisson {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 4;
-constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kBlock = 2048;
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 double squaredToSegment(const Vec3& point, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -110,7 +111,7 @@ std::uint32_t MeshDistance::build(std::vector<std::uint32_t>& order, const std::
   return self;
 }
 
-double MeshDistance::to(const Vec3& point) const {
+double MeshDistance::squaredTo(const Vec3& point, std::size_t& triangle) const {
   struct Visit {
     std::uint32_t node;
     double squared;
@@ -119,7 +120,10 @@ double MeshDistance::to(const Vec3& point) const {
   std::array<Visit, 40> stack;
   std::size_t top = 0;
   stack[top++] = {0, squaredToBox(point, nodes_[0].low, nodes_[0].high)};
-  double best = std::numeric_limits<double>::infinity();
+  const auto squaredToNumber = [&](std::size_t t) {
+    return squaredToTriangle(point, corners_[3 * t], corners_[3 * t + 1], corners_[3 * t + 2]);
+  };
+  double best = triangle == kNone ? std::numeric_limits<double>::infinity() : squaredToNumber(triangle);
   while (top > 0) {
     const Visit visit = stack[--top];
     if (visit.squared >= best) {
@@ -128,7 +132,11 @@ double MeshDistance::to(const Vec3& point) const {
     const Node& node = nodes_[visit.node];
     if (node.count > 0) {
       for (std::size_t t = node.first; t < node.first + static_cast<std::size_t>(node.count); ++t) {
-        best = std::min(best, squaredToTriangle(point, corners_[3 * t], corners_[3 * t + 1], corners_[3 * t + 2]));
+        const double squared = squaredToNumber(t);
+        if (squared < best) {
+          best = squared;
+          triangle = t;
+        }
       }
       continue;
     }
@@ -137,18 +145,32 @@ double MeshDistance::to(const Vec3& point) const {
     if (far.squared < near.squared) {
       std::swap(near, far);
     }
-    stack[top++] = far;
-    stack[top++] = near;
+    if (far.squared < best) {
+      stack[top++] = far;
+    }
+    if (near.squared < best) {
+      stack[top++] = near;
+    }
   }
-  return std::sqrt(best);
+  return best;
+}
+
+double MeshDistance::to(const Vec3& point) const {
+  std::size_t triangle = kNone;
+  return std::sqrt(squaredTo(point, triangle));
 }
 
 std::vector<double> MeshDistance::to(std::span<const Vec3> points, const ExecutionContext& context) const {
   std::vector<double> distances(points.size());
-  parallelFor(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    context.throwIfCancelled();
-    for (std::size_t i = begin; i < end; ++i) {
-      distances[i] = to(points[i]);
+  // Blocks of fixed places: what a search begins with must not depend on how threads divide the points.
+  const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
+  parallelFor(blocks, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block) {
+      context.throwIfCancelled();
+      std::size_t triangle = kNone;
+      for (std::size_t i = block * kBlock; i < std::min(points.size(), (block + 1) * kBlock); ++i) {
+        distances[i] = std::sqrt(squaredTo(points[i], triangle));
+      }
     }
   });
   return distances;

@@ -17,10 +17,10 @@ TEST(CliUsage, HelpAndVersionAreNoFailure) {
 
 TEST(CliUsage, HelpNamesEveryCommandAndNoneThatIsMissing) {
   const std::string help = cli({"--help"}).out;
-  for (const char* command : {"sample", "info", "reconstruct", "measure", "model", "plan", "export", "verify"}) {
+  for (const char* command : {"sample", "info", "reconstruct", "measure", "evaluate", "model", "plan", "export", "verify"}) {
     EXPECT_NE(help.find(std::string("\n  ") + command + " "), std::string::npos) << command;
   }
-  EXPECT_EQ(help.find("evaluate"), std::string::npos);
+  EXPECT_EQ(help.find("cohort"), std::string::npos);
 }
 
 TEST(CliUsage, AWordThatIsNoCommandIsNamed) {
@@ -49,10 +49,11 @@ TEST_P(WrongUsage, EndsWithTwoAndOneLineAndWritesNothing) {
 INSTANTIATE_TEST_SUITE_P(
     Cli, WrongUsage,
     testing::Values(
-        Keys{}, Keys{"paint"}, Keys{"sample"}, Keys{"evaluate", "SEG", "-o", "OUT"}, Keys{"reconstruct", "SEG"},
-        Keys{"reconstruct", "SEG", "-o", "OUT.doc"}, Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "11"},
-        Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "7,x"}, Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "0"},
-        Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "deep"},
+        Keys{}, Keys{"paint"}, Keys{"sample"}, Keys{"evaluate", "SEG"}, Keys{"evaluate", "SEG", "-o", "OUT", "--label", "99"},
+        Keys{"evaluate", "SEG", "-o", "OUT", "--threads", "-1"}, Keys{"evaluate", "SEG", "-o", "OUT", "--sampling", "dense"},
+        Keys{"reconstruct", "SEG"}, Keys{"reconstruct", "SEG", "-o", "OUT.doc"},
+        Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "11"}, Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "7,x"},
+        Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "0"}, Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--depth", "deep"},
         Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--method", "magic"},
         Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--simplify", "10000cm"},
         Keys{"reconstruct", "SEG", "-o", "OUT.stl", "--scale", "1,1"},

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "reconstruction/mesh/curvature.h"
+#include "reconstruction/parallel.h"
 
 namespace glisson {
 namespace {
@@ -113,6 +114,25 @@ TEST(Distance, OfTheTreeIsThatOfBruteForce) {
   }
 }
 
+TEST(Distance, OfPointsInALineIsThatOfEachByItself) {
+  // A search begins with the triangle found before: along a walk that is a good guess, after a jump a bad one.
+  const SurfaceMesh mesh = sphere(40, 24, 37);
+  const MeshDistance distance(mesh);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 9000; ++i) {
+    const double angle = 0.001 * i;
+    points.emplace_back((i % 100 == 0 ? -60 : 38) * Vec3(std::cos(angle), std::sin(angle), 0.1 * angle));
+  }
+  const std::vector<double> found = distance.to(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_NEAR(found[i], distance.to(points[i]), 1e-12) << i;
+  }
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    EXPECT_EQ(distance.to(points), found) << threads;
+  }
+}
+
 TEST(Distance, OfManyEqualTrianglesEndsAndIsExact) {
   SurfaceMesh mesh;
   mesh.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
@@ -135,6 +155,16 @@ TEST(ErrorSummary, UsesTheNearestRank) {
 }
 
 TEST(ErrorSummary, OfNothingIsZero) { EXPECT_EQ(summarise({}).max, 0); }
+
+TEST(Curvature, AsShippedCountsEachCopyOfAVertexWithItsOwnFan) {
+  // A unit square: every corner has a right angle; two of them belong to both triangles, two to one.
+  const SurfaceMesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const double deficit = 3 * 1.5 * std::numbers::pi;
+  EXPECT_NEAR(gaussianCurvatureAsShipped(square).untrimmedPerMm2, (2 * deficit / 1.0 + 2 * deficit / 0.5) / 4, 1e-12);
+  EXPECT_EQ(meanGaussianCurvature(square).untrimmedPerMm2, 0);  // nothing but open edges
+  const SurfaceMesh whole = sphere(20, 12, 24);
+  EXPECT_DOUBLE_EQ(gaussianCurvatureAsShipped(whole).untrimmedPerMm2, meanGaussianCurvature(whole).untrimmedPerMm2);
+}
 
 TEST(Curvature, OfASphereIsOneOverItsRadiusSquared) {
   const double expected = 1.0 / (20.0 * 20.0);

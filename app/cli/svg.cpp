@@ -1,0 +1,127 @@
+#include "app/cli/svg.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reconstruction/text.h"
+
+namespace glisson::cli {
+
+namespace {
+
+std::string pixels(double value) { return formatNumber(value, 1); }
+
+std::string attribute(std::string_view name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + std::string(value) + "\"";
+}
+
+std::string pathOf(const std::vector<Pixel>& corners) {
+  std::string path;
+  for (const Pixel& corner : corners) {
+    path += (path.empty() ? "M" : "L") + pixels(corner.x) + " " + pixels(corner.y);
+  }
+  return path;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return safe;
+}
+
+Axis::Axis(double low, double high, double from, double to, bool logarithmic)
+    : low_(low), high_(high), from_(from), to_(to), logarithmic_(logarithmic) {}
+
+double Axis::at(double value) const {
+  const double share = logarithmic_ ? std::log(value / low_) / std::log(high_ / low_) : (value - low_) / (high_ - low_);
+  return from_ + share * (to_ - from_);
+}
+
+std::vector<double> Axis::ticks(int wanted) const {
+  std::vector<double> values;
+  if (logarithmic_) {
+    for (double power = std::pow(10.0, std::floor(std::log10(low_))); power <= high_; power *= 10.0) {
+      for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * power >= low_ && step * power <= high_) {
+          values.push_back(step * power);
+        }
+      }
+    }
+    return values;
+  }
+  const double rough = (high_ - low_) / wanted;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  const double share = rough / power;
+  const double step = power * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10);
+  const auto last = static_cast<long>(std::floor(high_ / step + 1e-9));
+  for (auto n = static_cast<long>(std::ceil(low_ / step - 1e-9)); n <= last; ++n) {
+    values.push_back(static_cast<double>(n) * step);
+  }
+  return values;
+}
+
+std::string svgLine(const Pixel& from, const Pixel& to, std::string_view style) { return svgPath({from, to}, style); }
+
+std::string svgPath(const std::vector<Pixel>& corners, std::string_view style) {
+  return "<path" + attribute("class", style) + attribute("d", pathOf(corners)) + "/>\n";
+}
+
+std::string svgRectangle(const Pixel& corner, double width, double height, std::string_view style) {
+  return "<rect" + attribute("class", style) + attribute("x", pixels(corner.x)) + attribute("y", pixels(corner.y)) +
+         attribute("width", pixels(width)) + attribute("height", pixels(height)) + "/>\n";
+}
+
+std::string svgText(const Pixel& at, std::string_view text, std::string_view anchor, std::string_view style) {
+  return "<text" + attribute("class", style) + attribute("x", pixels(at.x)) + attribute("y", pixels(at.y)) +
+         attribute("text-anchor", anchor) + ">" + escaped(text) + "</text>\n";
+}
+
+std::string svgMark(Mark mark, const Pixel& at, double radius, std::string_view style, std::string_view tooltip) {
+  const std::string title = tooltip.empty() ? std::string() : "<title>" + escaped(tooltip) + "</title>";
+  if (mark == Mark::Circle) {
+    return "<circle" + attribute("class", style) + attribute("cx", pixels(at.x)) + attribute("cy", pixels(at.y)) +
+           attribute("r", pixels(radius)) + ">" + title + "</circle>\n";
+  }
+  const double r = 1.25 * radius;
+  const std::vector<Pixel> corners =
+      mark == Mark::Diamond ? std::vector<Pixel>{{at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}}
+                            : std::vector<Pixel>{{at.x, at.y - r}, {at.x + r, at.y + 0.8 * r}, {at.x - r, at.y + 0.8 * r}};
+  return "<path" + attribute("class", style) + attribute("d", pathOf(corners) + "Z") + ">" + title + "</path>\n";
+}
+
+std::string tickText(double value) {
+  if (value != std::round(value) || std::abs(value) >= 1e15) {
+    return formatExact(std::round(1e6 * value) / 1e6);
+  }
+  std::string text = std::to_string(static_cast<long long>(value));
+  const std::size_t sign = value < 0 ? 1 : 0;
+  for (std::size_t n = text.size(); n > sign + 3;) {
+    n -= 3;
+    text.insert(n, "\u202f");  // a narrow blank that does not break
+  }
+  return text;
+}
+
+}  // namespace glisson::cli

@@ -1,0 +1,236 @@
+#include "reconstruction/evaluation/experiment.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
+
+#include "reconstruction/errors.h"
+#include "reconstruction/mesh/simplify.h"
+#include "reconstruction/parallel.h"
+
+namespace glisson {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Places = std::vector<std::size_t>;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+void keepQuicker(std::optional<ModelSeconds>& best, const ModelSeconds& seconds) {
+  if (!best || seconds.total() < best->total()) {
+    best = seconds;
+  }
+}
+
+/// A Poisson surface of one depth, or why there is none.
+struct Poisson {
+  PoissonResult result;
+  ModelSeconds seconds;
+  std::string failure;
+};
+
+class Experiment {
+ public:
+  Experiment(const Mask& mask, const ImageGeometry& geometry, const EvaluationReference& reference,
+             std::span<const ModelRecipe> recipes, const ExperimentOptions& options, const ModelVisitor& visit)
+      : mask_(mask), geometry_(geometry), reference_(reference), recipes_(recipes), options_(options), visit_(visit) {}
+
+  void makePoisson(const ExecutionContext& context) const;
+  void makeMcsd(const ExecutionContext& context) const;
+
+ private:
+  [[nodiscard]] Places placesOf(bool mcsd) const;
+  [[nodiscard]] Poisson poissonOfDepth(int depth, const ExecutionContext& context) const;
+  void finishPoisson(std::size_t place, const Poisson& poisson, const ExecutionContext& context) const;
+  /// Everything but `shipped`, or the failure.
+  void measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const;
+  [[nodiscard]] std::vector<std::optional<ModelSeconds>> timedMcsd(const Places& places, const ExecutionContext& context) const;
+
+  const Mask& mask_;
+  const ImageGeometry& geometry_;
+  const EvaluationReference& reference_;
+  std::span<const ModelRecipe> recipes_;
+  const ExperimentOptions& options_;
+  const ModelVisitor& visit_;
+};
+
+Places Experiment::placesOf(bool mcsd) const {
+  Places places;
+  for (std::size_t n = 0; n < recipes_.size(); ++n) {
+    if ((recipes_[n].family == ModelFamily::Mcsd) == mcsd) {
+      places.push_back(n);
+    }
+  }
+  return places;
+}
+
+void Experiment::measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const {
+  const auto start = Clock::now();
+  try {
+    model.measures = reference_.measure(mesh, model.recipe.family == ModelFamily::SimplifiedPsr, context);
+  } catch (const Error& error) {
+    model.failure = error.what();
+  }
+  model.seconds.measure = secondsSince(start);
+}
+
+Poisson Experiment::poissonOfDepth(int depth, const ExecutionContext& context) const {
+  Poisson made;
+  try {
+    std::optional<ModelSeconds> best;
+    for (int run = 0; run < options_.timings; ++run) {
+      made.result = reconstructPoisson(mask_, geometry_, poissonOf({.depth = depth}, options_), context);
+      keepQuicker(best,
+                  {.sample = made.result.sampleSeconds, .solve = made.result.solveSeconds, .extract = made.result.extractSeconds});
+    }
+    made.seconds = *best;
+  } catch (const Error& error) {
+    made.failure = error.what();
+  }
+  return made;
+}
+
+void Experiment::finishPoisson(std::size_t place, const Poisson& poisson, const ExecutionContext& context) const {
+  EvaluatedModel model;
+  model.recipe = recipes_[place];
+  model.usedDepth = poisson.result.usedDepth;
+  model.seconds = poisson.seconds;
+  model.failure = poisson.failure;
+  const bool simplified = model.recipe.family == ModelFamily::SimplifiedPsr;
+  if (model.failure.empty() && !simplified && model.usedDepth != model.recipe.depth) {
+    // The solver would make a lower depth of it: the same model twice under two names.
+    model.failure = "The label is too small for depth " + std::to_string(model.recipe.depth) + ": depth " +
+                    std::to_string(model.usedDepth) + " is the deepest that its voxels carry.";
+  }
+  const SurfaceMesh* mesh = &poisson.result.mesh;
+  SurfaceMesh fewer;
+  if (model.failure.empty() && simplified) {
+    const auto start = Clock::now();
+    const std::size_t target = std::max<std::size_t>(4, mesh->triangles.size() / static_cast<std::size_t>(model.recipe.divisor));
+    try {
+      fewer = simplify(*mesh, {.triangles = target}, context);
+      mesh = &fewer;
+    } catch (const Error& error) {
+      model.failure = error.what();
+    }
+    model.seconds.simplify = secondsSince(start);
+  }
+  if (model.failure.empty()) {
+    measure(*mesh, model, context);
+  }
+  if (model.measures) {
+    model.measures->shipped = measureAsShipped(*mesh);
+  }
+  visit_(place, std::move(model));
+}
+
+void Experiment::makePoisson(const ExecutionContext& context) const {
+  Places places = placesOf(false);
+  std::map<int, Poisson> depths;
+  for (const std::size_t place : places) {
+    const int depth = recipes_[place].depth;
+    if (!depths.contains(depth)) {
+      const double share = 0.5 * static_cast<double>(depths.size()) / static_cast<double>(places.size());
+      depths.emplace(depth, poissonOfDepth(depth, context.range(share, share)));
+    }
+  }
+  // What takes longest first: the simplified ones, then the deepest.
+  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(isPublished(recipes_[a].family), -recipes_[a].depth) <
+           std::pair(isPublished(recipes_[b].family), -recipes_[b].depth);
+  });
+  parallelFor(places.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto fraction = [&](std::size_t done) {
+        return 0.5 + 0.5 * static_cast<double>(done) / static_cast<double>(places.size());
+      };
+      finishPoisson(places[n], depths.at(recipes_[places[n]].depth), context.range(fraction(n), fraction(n + 1)));
+    }
+  });
+}
+
+std::vector<std::optional<ModelSeconds>> Experiment::timedMcsd(const Places& places, const ExecutionContext& context) const {
+  std::vector<McsdParameters> sets;
+  sets.reserve(places.size());
+  for (const std::size_t place : places) {
+    sets.push_back(mcsdOf(recipes_[place], false));
+  }
+  std::vector<std::optional<ModelSeconds>> best(places.size());
+  for (int run = 1; run < options_.timings; ++run) {
+    sweepMcsd(
+        mask_, geometry_, sets,
+        [&](std::size_t n, const McsdResult& made, const ExecutionContext& /*share*/) {
+          keepQuicker(best[n], {.extract = made.extractSeconds, .decimate = made.decimateSeconds, .smooth = made.smoothSeconds});
+        },
+        context);
+  }
+  return best;
+}
+
+void Experiment::makeMcsd(const ExecutionContext& context) const {
+  const Places places = placesOf(true);
+  if (places.empty()) {
+    return;
+  }
+  const double timedShare = 0.5 * (options_.timings - 1) / options_.timings;
+  std::vector<std::optional<ModelSeconds>> best = timedMcsd(places, context.range(0.0, timedShare));
+  // Two sets for each model: merged, and as shipped.
+  std::vector<McsdParameters> sets;
+  for (const std::size_t place : places) {
+    sets.push_back(mcsdOf(recipes_[place], false));
+    sets.push_back(mcsdOf(recipes_[place], true));
+  }
+  struct Halves {
+    std::optional<EvaluatedModel> merged;
+    std::optional<ShippedMeasures> shipped;
+  };
+  std::vector<Halves> halves(places.size());
+  std::mutex mutex;
+  const auto take = [&](std::size_t set, const McsdResult& made, const ExecutionContext& share) {
+    const std::size_t n = set / 2;
+    if (set % 2 == 1) {
+      const ShippedMeasures shipped = measureAsShipped(made.mesh);
+      const std::lock_guard lock(mutex);
+      halves[n].shipped = shipped;
+    } else {
+      EvaluatedModel model;
+      model.recipe = recipes_[places[n]];
+      keepQuicker(best[n], {.extract = made.extractSeconds, .decimate = made.decimateSeconds, .smooth = made.smoothSeconds});
+      model.seconds = *best[n];
+      measure(made.mesh, model, share);
+      const std::lock_guard lock(mutex);
+      halves[n].merged = std::move(model);
+    }
+    share.report(1.0, "measures");
+    std::optional<EvaluatedModel> done;
+    {
+      const std::lock_guard lock(mutex);
+      if (halves[n].merged && halves[n].shipped) {
+        done.swap(halves[n].merged);
+      }
+    }
+    if (done) {
+      if (done->measures) {
+        done->measures->shipped = *halves[n].shipped;
+      }
+      visit_(places[n], std::move(*done));
+    }
+  };
+  sweepMcsd(mask_, geometry_, sets, take, context.range(timedShare, 1.0));
+}
+
+}  // namespace
+
+void makeModels(const Mask& mask, const ImageGeometry& geometry, const EvaluationReference& reference,
+                std::span<const ModelRecipe> recipes, const ExperimentOptions& options, const ModelVisitor& visit,
+                const ExecutionContext& context) {
+  constexpr double kPoissonShare = 0.15;
+  options.validate();
+  const Experiment experiment(mask, geometry, reference, recipes, options, visit);
+  experiment.makePoisson(context.range(0.0, kPoissonShare));
+  experiment.makeMcsd(context.range(kPoissonShare, 1.0));
+}
+
+}  // namespace glisson

@@ -1,0 +1,179 @@
+// Models of a small ellipsoid: measured as the single functions measure them, whatever the number of threads; what fails is said
+// and the others go on.
+
+#include "reconstruction/evaluation/experiment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+
+#include "reconstruction/errors.h"
+#include "reconstruction/evaluation/model_json.h"
+#include "reconstruction/mesh/self_intersection.h"
+#include "reconstruction/mesh/simplify.h"
+#include "reconstruction/parallel.h"
+
+namespace glisson {
+namespace {
+
+struct Body {
+  Mask mask;
+  ImageGeometry geometry;
+};
+
+/// Half axes of 15, 12 and 10 mm on voxels of 0.8 x 0.8 x 1.6 mm: depth 6 is the deepest that they carry.
+Body ellipsoid() {
+  Body body;
+  body.geometry.size = {44, 36, 18};
+  body.geometry.spacing = Vec3(0.8, 0.8, 1.6);
+  body.geometry.origin = Vec3(-30, 12, 200);
+  std::vector<std::uint8_t> values;
+  const Vec3 centre(21.7, 17.6, 8.3);
+  for (int k = 0; k < 18; ++k) {
+    for (int j = 0; j < 36; ++j) {
+      for (int i = 0; i < 44; ++i) {
+        const Vec3 at = (Vec3(i, j, k) - centre).cwiseProduct(body.geometry.spacing).cwiseQuotient(Vec3(15, 12, 10));
+        values.push_back(at.squaredNorm() <= 1 ? 1 : 0);
+      }
+    }
+  }
+  body.mask = Mask::fromGrid(body.geometry.size, values);
+  return body;
+}
+
+std::vector<EvaluatedModel> make(const Body& body, const std::vector<ModelRecipe>& recipes, const ExperimentOptions& options = {}) {
+  const EvaluationReference reference(body.mask, body.geometry);
+  std::vector<EvaluatedModel> models(recipes.size());
+  std::vector<int> visits(recipes.size(), 0);
+  std::mutex mutex;
+  makeModels(body.mask, body.geometry, reference, recipes, options, [&](std::size_t n, EvaluatedModel model) {
+    const std::lock_guard lock(mutex);
+    ++visits[n];
+    models[n] = std::move(model);
+  });
+  EXPECT_EQ(visits, std::vector<int>(recipes.size(), 1));
+  return models;
+}
+
+const std::vector<ModelRecipe> kFew{{.family = ModelFamily::Mcsd, .smoothing = 22, .decimationPercent = 50},
+                                    {.family = ModelFamily::SimplifiedPsr, .depth = 8, .divisor = 16},
+                                    {.family = ModelFamily::Psr, .depth = 5},
+                                    {.family = ModelFamily::Mcsd, .smoothing = 0, .decimationPercent = 0},
+                                    {.family = ModelFamily::Psr, .depth = 6}};
+
+std::string withoutTimes(EvaluatedModel model) {
+  model.seconds = {};
+  return jsonOf(model, "");
+}
+
+void expectSame(const ErrorSummary& a, const ErrorSummary& b) {
+  EXPECT_EQ(a.mean, b.mean);
+  EXPECT_EQ(a.median, b.median);
+  EXPECT_EQ(a.p95, b.p95);
+  EXPECT_EQ(a.max, b.max);
+}
+
+TEST(Experiment, MeasuresEachModelAsTheSingleFunctionsDo) {
+  const Body body = ellipsoid();
+  const std::vector<EvaluatedModel> models = make(body, kFew);
+  const auto expectOf = [&](const EvaluatedModel& model, const SurfaceMesh& mesh) {
+    ASSERT_TRUE(model.measures) << model.failure;
+    const ModelMeasures& measures = *model.measures;
+    EXPECT_EQ(measures.triangles, mesh.triangles.size());
+    EXPECT_EQ(measures.vertices, mesh.vertices.size());
+    expectSame(measures.paperErrorMm, paperError(mesh, body.mask, body.geometry));
+    expectSame(measures.voxelErrorMm, voxelError(mesh, body.mask, body.geometry));
+    EXPECT_EQ(measures.paperErrorBoxMm.median, measures.paperErrorMm.median);
+    EXPECT_EQ(measures.volumeMl, volumeMl(mesh));
+    EXPECT_EQ(measures.curvature.trimmedPerMm2, meanGaussianCurvature(mesh).trimmedPerMm2);
+    EXPECT_EQ(measures.defects, mesh.defects().names());
+  };
+  expectOf(models[0], reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[0], false)).mesh);
+  expectOf(models[2], reconstructPoisson(body.mask, body.geometry, poissonOf(kFew[2], {})).mesh);
+  expectOf(models[3], reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[3], false)).mesh);
+  const PoissonResult deepest = reconstructPoisson(body.mask, body.geometry, poissonOf(kFew[1], {}));
+  expectOf(models[1], simplify(deepest.mesh, {.triangles = deepest.mesh.triangles.size() / 16}));
+  EXPECT_EQ(models[1].usedDepth, 6);
+  EXPECT_EQ(models[1].name(), "PSR d=6, 1/16");
+  // Marching cubes lies on the level set: the reference finds no error either way.
+  EXPECT_LT(models[3].measures->voxelErrorMm.max, 1e-5);
+}
+
+TEST(Experiment, SplitNormalsTakeTheMeshApartAndInflateItsCurvature) {
+  const Body body = ellipsoid();
+  const std::vector<EvaluatedModel> models = make(body, kFew);
+  const ModelMeasures& cubes = *models[3].measures;
+  const SurfaceMesh split = reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[3], true)).mesh;
+  EXPECT_EQ(cubes.shipped.vertices, split.vertices.size());
+  EXPECT_GT(cubes.shipped.vertices, cubes.vertices);
+  EXPECT_EQ(cubes.shipped.curvature.trimmedPerMm2, gaussianCurvatureAsShipped(split).trimmedPerMm2);
+  EXPECT_GT(cubes.shipped.curvature.trimmedPerMm2, 10 * std::abs(cubes.curvature.trimmedPerMm2));
+  const ModelMeasures& psr = *models[2].measures;
+  EXPECT_EQ(psr.shipped.vertices, psr.vertices);
+  EXPECT_NEAR(psr.shipped.curvature.trimmedPerMm2, psr.curvature.trimmedPerMm2, 1e-12);
+}
+
+TEST(Experiment, GivesTheSameNumbersForOneAndManyThreads) {
+  const Body body = ellipsoid();
+  std::vector<std::string> texts;
+  for (const int threads : {1, 2, 8}) {
+    const ThreadLimit limit(threads);
+    std::string text;
+    for (const EvaluatedModel& model : make(body, kFew)) {
+      text += withoutTimes(model);
+    }
+    texts.push_back(text);
+  }
+  EXPECT_EQ(texts[0], texts[1]);
+  EXPECT_EQ(texts[0], texts[2]);
+}
+
+TEST(Experiment, SaysWhichDepthALabelIsTooSmallForAndGoesOn) {
+  const Body body = ellipsoid();
+  const std::vector<EvaluatedModel> models =
+      make(body, {{.family = ModelFamily::Psr, .depth = 8}, {.family = ModelFamily::Psr, .depth = 6}, kFew[3]});
+  EXPECT_FALSE(models[0].measures);
+  EXPECT_EQ(models[0].failure, "The label is too small for depth 8: depth 6 is the deepest that its voxels carry.");
+  EXPECT_TRUE(models[1].measures);
+  EXPECT_TRUE(models[2].measures);
+}
+
+TEST(Experiment, KeepsTheQuickestOfSeveralRunsAndTheSameNumbers) {
+  const Body body = ellipsoid();
+  const std::vector<EvaluatedModel> once = make(body, kFew);
+  const std::vector<EvaluatedModel> thrice = make(body, kFew, {.timings = 3});
+  for (std::size_t n = 0; n < kFew.size(); ++n) {
+    EXPECT_EQ(withoutTimes(once[n]), withoutTimes(thrice[n]));
+    EXPECT_GT(thrice[n].seconds.total(), 0.0);
+  }
+}
+
+TEST(Experiment, NeedsALabelWithASurface) {
+  Body body = ellipsoid();
+  EXPECT_THROW(EvaluationReference(Mask(), body.geometry), ReconstructionError);
+  std::vector<std::uint8_t> values(body.geometry.voxelCount(), 0);
+  values[values.size() / 2] = 1;
+  try {
+    const EvaluationReference reference(Mask::fromGrid(body.geometry.size, values), body.geometry);
+    FAIL() << "a single voxel was taken";
+  } catch (const ReconstructionError& error) {
+    EXPECT_NE(std::string(error.what()).find("no surface to measure"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Experiment, EndsWithWhatTheVisitorThrowsAndOnCancel) {
+  const Body body = ellipsoid();
+  const EvaluationReference reference(body.mask, body.geometry);
+  const auto full = [](std::size_t /*n*/, const EvaluatedModel& /*model*/) { throw InputError("the disk is full"); };
+  EXPECT_THROW(makeModels(body.mask, body.geometry, reference, kFew, {}, full), InputError);
+  const ExecutionContext cancelled;
+  cancelled.cancel();
+  const auto taken = [](std::size_t /*n*/, const EvaluatedModel& /*model*/) { ADD_FAILURE() << "went on"; };
+  EXPECT_THROW(makeModels(body.mask, body.geometry, reference, kFew, {}, taken, cancelled), Cancelled);
+  makeModels(body.mask, body.geometry, reference, {}, {}, taken);
+}
+
+}  // namespace
+}  // namespace glisson
