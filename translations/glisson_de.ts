@@ -2531,6 +2531,14 @@
         <source>The case holds neither name, id nor birth date of the patient; write the report without them.</source>
         <translation>Der Fall enthält weder Namen, ID noch Geburtsdatum des Patienten; schreiben Sie den Bericht ohne sie.</translation>
     </message>
+    <message>
+        <source>The branches marked earlier are not in this portal vein; left and right are proposed anew.</source>
+        <translation>Die früher markierten Äste sind nicht in dieser Pfortader; links und rechts werden neu vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>A territory needs a name and points that are finite numbers; point at its branches again.</source>
+        <translation>Ein Territorium braucht einen Namen und Punkte mit endlichen Koordinaten; zeigen Sie erneut auf seine Äste.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -3091,6 +3099,18 @@
     <message>
         <source>Saving a copy with the CT</source>
         <translation>Kopie mit der CT speichern</translation>
+    </message>
+    <message>
+        <source>propose territories</source>
+        <translation>Territorien vorschlagen</translation>
+    </message>
+    <message>
+        <source>confirm territories</source>
+        <translation>Territorien bestätigen</translation>
+    </message>
+    <message>
+        <source>pick territory</source>
+        <translation>Territorium wählen</translation>
     </message>
 </context>
 <context>

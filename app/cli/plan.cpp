@@ -265,6 +265,9 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   if (work.source.patient != before && !flags.dryRun) {
     file.storePatient(work.source.patient, "change patient facts");
   }
+  if (territories && !(territories->marks() == work.source.territories) && !flags.dryRun) {
+    file.storeTerritories(territories->marks());
+  }
   if (work.source.model != modelBefore && !flags.dryRun) {
     file.storeModel(*work.source.model);
   }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/cli/table.h"
+#include "planning/territories/marked_branches.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/text.h"
 
@@ -35,11 +36,14 @@ TerritoryPick pickOf(const std::string& text) {
   return pick;
 }
 
-TerritoryChoice choiceOf(const TerritoryFlags& flags, const VesselGraph& portal) {
+TerritoryChoice choiceOf(const TerritoryFlags& flags, const TerritoryMarks& marks, const VesselGraph& portal) {
   TerritoryChoice choice;
+  if (flags.picks.empty() && !flags.confirm) {
+    return glisson::choiceOf(marks, portal);
+  }
   if (flags.picks.empty()) {
     choice = proposeLeftRight(portal);
-    choice.confirmed = flags.confirm && !choice.picks.empty();
+    choice.confirmed = !choice.picks.empty();
     return choice;
   }
   for (const std::string& text : flags.picks) {
@@ -95,10 +99,11 @@ void printBranches(const VesselGraph& portal) {
 void addTerritoryFlags(CLI::App& command, TerritoryFlags& flags) {
   command.add_flag("--territories", flags.wanted,
                    "Estimates: territories of the portal branches (left and right proposed), devascularised and congested remnant");
-  command.add_flag("--confirm-territories", flags.confirm, "You have looked at the proposed left and right and found them right");
+  command.add_flag("--confirm-territories", flags.confirm,
+                   "You have looked at the proposed left and right and found them right; the case keeps it");
   command
       .add_option("--territory", flags.picks,
-                  "NAME=BRANCH,BRANCH: branches that make a territory, with all behind them; repeatable")
+                  "NAME=BRANCH,BRANCH: branches that make a territory, with all behind them; repeatable; the case keeps them")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--segments", flags.segments, "A map of liver segments 1 to 8, instead of branches");
@@ -118,17 +123,20 @@ void checkTerritoryFlags(const TerritoryFlags& flags) {
 }
 
 TerritoryCommand::TerritoryCommand(const Case& source, const TerritoryFlags& flags, const ExecutionContext& context)
-    : perfusion_(source, context.range(0, 0.8)), notes_(perfusion_.notes()) {
+    : perfusion_(source, context.range(0, 0.8)), marks_(source.territories), notes_(perfusion_.notes()) {
   if (!flags.segments.empty()) {
     territories_ = segmentTerritories(*source.liver, readSegments(source, flags, context.range(0.8, 1.0)));
   } else {
-    const TerritoryChoice choice = choiceOf(flags, perfusion_.portal());
+    const TerritoryChoice choice = choiceOf(flags, source.territories, perfusion_.portal());
     if (choice.picks.empty()) {
       territories_.geometry = source.liver->geometry;
       territories_.source = choice.source;
       territories_.notes = choice.notes;
     } else {
       territories_ = territoriesOf(*source.liver, perfusion_.portal(), choice, context.range(0.8, 1.0));
+      if (flags.confirm || !flags.picks.empty()) {
+        marks_ = marksOf(choice, perfusion_.portal());
+      }
     }
   }
   notes_.insert(notes_.end(), territories_.notes.begin(), territories_.notes.end());

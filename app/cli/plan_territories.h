@@ -23,11 +23,14 @@ class TerritoryCommand {
   TerritoryCommand(const Case& source, const TerritoryFlags& flags, const ExecutionContext& context);
   [[nodiscard]] TerritoryReport report(const ResectionPlan& plan) const;
   [[nodiscard]] const LiverPerfusion& perfusion() const { return perfusion_; }
+  /// What the case is to keep: what the flags say, else what it held.
+  [[nodiscard]] const TerritoryMarks& marks() const { return marks_; }
   void printText(const TerritoryReport& report) const;
 
  private:
   LiverPerfusion perfusion_;
   Territories territories_;
+  TerritoryMarks marks_;
   std::vector<std::string> notes_;
 };
 

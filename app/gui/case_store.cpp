@@ -66,6 +66,14 @@ void CaseStore::storePatient(const PatientFacts& facts, const QString& name) {
   });
 }
 
+void CaseStore::storeTerritories(const TerritoryMarks& marks) {
+  post([marks](Worker& worker) {
+    if (worker.file) {
+      worker.file->storeTerritories(marks);
+    }
+  });
+}
+
 void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
   const std::uint64_t mine = ++*models_;
   post([model = std::move(model), models = models_, mine](Worker& worker) {

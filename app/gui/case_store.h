@@ -31,6 +31,7 @@ class CaseStore : public QObject {
   /// `name`: of the edit, for the undo history.
   void storePlans(const std::vector<ResectionPlan>& plans, const QString& name);
   void storePatient(const PatientFacts& facts, const QString& name);
+  void storeTerritories(const TerritoryMarks& marks);
   void storeModel(std::shared_ptr<const LiverModel> model);
   /// Hands the undo records of everything given over before to `then`, later, on the UI thread.
   void withHistory(std::function<void(std::vector<PlanStep>)> then);

@@ -84,6 +84,8 @@ class Document : public QObject {
   void renamePlan(const std::string& name);
   void removePlan();
   void setPatient(const PatientFacts& facts);
+  /// `step`: what was done, as it stands behind Undo.
+  void setTerritories(const TerritoryMarks& marks, const QString& step);
   void setColour(const std::string& structureId, Rgb colour);
   void setOpacity(const std::string& structureId, double opacity);
   /// These structures are accepted by a person, now; those that are not made yet are left out. One step.
@@ -113,12 +115,13 @@ class Document : public QObject {
   void flush() { store_.flush(); }
 
  signals:
-  void caseChanged();     ///< another case, or none
-  void modelChanged();    ///< a structure was made or looks different
-  void ctChanged();       ///< the CT has come
-  void notesChanged();    ///< the problem list
-  void planChanged();     ///< a plane stands elsewhere, another one is worked on, or the list of plans is another
-  void patientChanged();  ///< what the user said about the patient
+  void caseChanged();         ///< another case, or none
+  void modelChanged();        ///< a structure was made or looks different
+  void ctChanged();           ///< the CT has come
+  void notesChanged();        ///< the problem list
+  void planChanged();         ///< a plane stands elsewhere, another one is worked on, or the list of plans is another
+  void patientChanged();      ///< what the user said about the patient
+  void territoriesChanged();  ///< what the user said about the territories
   void tumourDistanceChanged();
   /// What assessPlans() asked for, by plan.
   void plansAssessed(const std::vector<glisson::PlanAssessment>& assessments);
@@ -131,6 +134,7 @@ class Document : public QObject {
  private:
   friend class PlansCommand;
   friend class PatientCommand;
+  friend class TerritoriesCommand;
   friend class AppearanceCommand;
   friend class AcceptanceCommand;
   struct Appearance {
@@ -145,6 +149,7 @@ class Document : public QObject {
   void restoreHistory(const CaseFile& file);
   /// `name`: of the edit, for the history; empty where it takes one back.
   void storePatient(const PatientFacts& facts, const QString& name);
+  void storeTerritories(const TerritoryMarks& marks);
   void setAppearance(const std::string& structureId, const Appearance& appearance);
   void pushAcceptance(const QString& name, const std::vector<const Structure*>& structures, const std::optional<Acceptance>& after);
   /// `of`: the surface that was looked at; a structure that has another one by now keeps what it has.

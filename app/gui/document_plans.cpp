@@ -201,6 +201,20 @@ void Document::setPatient(const PatientFacts& facts) {
   }
 }
 
+void Document::setTerritories(const TerritoryMarks& marks, const QString& step) {
+  if (!(marks == case_.territories)) {
+    undo_.push(new TerritoriesCommand(*this, step, case_.territories, marks));
+  }
+}
+
+void Document::storeTerritories(const TerritoryMarks& marks) {
+  case_.territories = marks;
+  if (!readOnly_) {
+    store_.storeTerritories(marks);
+  }
+  emit territoriesChanged();
+}
+
 void Document::storePatient(const PatientFacts& facts, const QString& name) {
   case_.patient = facts;
   if (!readOnly_) {

@@ -27,6 +27,13 @@ void PatientCommand::redo() {
   done_ = false;
 }
 
+TerritoriesCommand::TerritoriesCommand(Document& document, const QString& text, TerritoryMarks before, TerritoryMarks after)
+    : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)) {}
+
+void TerritoriesCommand::undo() { document_.storeTerritories(before_); }
+
+void TerritoriesCommand::redo() { document_.storeTerritories(after_); }
+
 AppearanceCommand::AppearanceCommand(Document& document, const QString& text, What what, std::string structureId,
                                      Document::Appearance before, Document::Appearance after)
     : QUndoCommand(text), document_(document), what_(what), structureId_(std::move(structureId)), before_(before), after_(after) {}

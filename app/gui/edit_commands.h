@@ -40,6 +40,18 @@ class PatientCommand : public QUndoCommand {
   bool done_;
 };
 
+class TerritoriesCommand : public QUndoCommand {
+ public:
+  TerritoriesCommand(Document& document, const QString& text, TerritoryMarks before, TerritoryMarks after);
+  void undo() override;
+  void redo() override;
+
+ private:
+  Document& document_;
+  TerritoryMarks before_;
+  TerritoryMarks after_;
+};
+
 /// Steps of the same slider on the same structure become one.
 class AppearanceCommand : public QUndoCommand {
  public:

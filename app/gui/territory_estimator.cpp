@@ -1,28 +1,17 @@
 #include "app/gui/territory_estimator.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "planning/territories/marked_branches.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
 
 namespace {
 
-/// The supplying branch whose centreline comes nearest to a point; nothing where there is none.
-std::optional<std::int32_t> nearestBranch(const VesselGraph& portal, const Vec3& pointMm) {
-  std::optional<std::int32_t> nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (const VesselSite& site : portal.sites) {
-    const double distance = (site.positionMm - pointMm).norm();
-    if (distance < least && site.branch >= 0 &&
-        portal.branches[static_cast<std::size_t>(site.branch)].role == BranchRole::Supplying) {
-      least = distance;
-      nearest = site.branch;
-    }
-  }
-  return nearest;
-}
+constexpr const char* kPropose = QT_TRANSLATE_NOOP("glisson::Document", "propose territories");
+constexpr const char* kConfirm = QT_TRANSLATE_NOOP("glisson::Document", "confirm territories");
+constexpr const char* kPick = QT_TRANSLATE_NOOP("glisson::Document", "pick territory");
 
 /// The first "Territory N" that is free.
 std::string freeName(const std::vector<TerritoryPick>& picks) {
@@ -42,6 +31,11 @@ TerritoryEstimator::TerritoryEstimator(JobRunner& jobs, Document& document, QObj
   connect(&document_, &Document::planChanged, this, [this] {
     if (state_ == State::Current && !(document_.plan() == reported_)) {
       become(State::Following);
+    }
+  });
+  connect(&document_, &Document::territoriesChanged, this, [this] {
+    if (perfusion_ && !(marksOf(choice_, perfusion_->portal()) == document_.content().territories)) {  // undone, or done again
+      divide(choiceOf(document_.content().territories, perfusion_->portal()));
     }
   });
   // A drag moves the plane often; the estimates follow when it rests.
@@ -89,14 +83,14 @@ void TerritoryEstimator::estimate() {
       [this, code = document_.content().code](const Perfusion& perfusion) {
         if (document_.content().code == code && state_ == State::Computing) {
           perfusion_ = perfusion;
-          propose();
+          divide(choiceOf(document_.content().territories, perfusion_->portal()));
         }
       });
 }
 
 void TerritoryEstimator::propose() {
   if (perfusion_) {
-    divide(proposeLeftRight(perfusion_->portal()));
+    divide(proposeLeftRight(perfusion_->portal()), QString::fromLatin1(kPropose));
   }
 }
 
@@ -104,7 +98,7 @@ void TerritoryEstimator::confirm() {
   if (isProposal()) {
     TerritoryChoice confirmed = choice_;
     confirmed.confirmed = true;
-    divide(std::move(confirmed));
+    divide(std::move(confirmed), QString::fromLatin1(kConfirm));
   }
 }
 
@@ -112,7 +106,7 @@ void TerritoryEstimator::pick(const Vec3& pointMm) {
   if (!perfusion_) {
     return;
   }
-  const std::optional<std::int32_t> branch = nearestBranch(perfusion_->portal(), pointMm);
+  const std::optional<std::int32_t> branch = nearestSupplyingBranch(perfusion_->portal(), pointMm);
   if (!branch) {
     emit refused(QStringLiteral("No branch of the portal vein supplies the liver here."));
     return;
@@ -123,10 +117,16 @@ void TerritoryEstimator::pick(const Vec3& pointMm) {
     picked.picks = choice_.picks;
   }
   picked.picks.push_back({freeName(picked.picks), {*branch}});
-  divide(std::move(picked));
+  divide(std::move(picked), QString::fromLatin1(kPick));
 }
 
-void TerritoryEstimator::divide(TerritoryChoice choice) {
+void TerritoryEstimator::keep(const QString& step) {
+  if (!step.isEmpty()) {
+    document_.setTerritories(marksOf(choice_, perfusion_->portal()), step);
+  }
+}
+
+void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
   if (choice.picks.empty()) {  // nothing to propose: perfusion is told all the same
     choice_ = std::move(choice);
     auto none = std::make_shared<Territories>();
@@ -134,6 +134,7 @@ void TerritoryEstimator::divide(TerritoryChoice choice) {
     none->source = choice_.source;
     none->notes = choice_.notes;
     territories_ = std::move(none);
+    keep(step);
     follow();
     return;
   }
@@ -149,10 +150,11 @@ void TerritoryEstimator::divide(TerritoryChoice choice) {
       [liver = document_.content().liver, perfusion = perfusion_, choice](const ExecutionContext& context) {
         return std::make_shared<const Territories>(territoriesOf(*liver, perfusion->portal(), choice, context));
       },
-      [this, perfusion = perfusion_, choice](const Parts& parts) {
+      [this, perfusion = perfusion_, choice, step](const Parts& parts) {
         if (perfusion_ == perfusion) {
           choice_ = choice;
           territories_ = parts;
+          keep(step);
           follow();
         }
       });

@@ -1,6 +1,7 @@
 #pragma once
 // Purpose: territories of the portal branches and the plan's effect on the remnant's blood, for the open case: estimated when
-// asked, then following the plan. Left and right are proposed until the user confirms them or points at branches. UI thread only.
+// asked, then following the plan. Left and right are proposed until the user confirms them or points at branches; the case keeps
+// that. UI thread only.
 
 #include <QObject>
 #include <memory>
@@ -43,7 +44,9 @@ class TerritoryEstimator : public QObject {
 
  private:
   void forget();
-  void divide(TerritoryChoice choice);
+  /// `step`: what the user did, an undo step of the case once it is done; empty where the case says so already.
+  void divide(TerritoryChoice choice, const QString& step = {});
+  void keep(const QString& step);
   void follow();
   void become(State state);
 

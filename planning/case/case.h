@@ -7,6 +7,7 @@
 
 #include "planning/case/liver_model.h"
 #include "planning/case/patient_facts.h"
+#include "planning/case/territory_marks.h"
 #include "planning/resection/resection_plan.h"
 #include "reconstruction/image/ct_volume.h"
 #include "reconstruction/image/liver_voxels.h"
@@ -24,6 +25,7 @@ struct Case {
   std::shared_ptr<const LiverModel> model;
   std::vector<ResectionPlan> plans;  ///< never empty after newCase()
   PatientFacts patient;              ///< what the user said for the FLR card
+  TerritoryMarks territories{};      ///< what the user said about the territories
   std::vector<std::string> notes;    ///< what the readers and the model had to say
 };
 

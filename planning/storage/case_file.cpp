@@ -209,6 +209,14 @@ void CaseFile::storePatient(const PatientFacts& facts, const std::string& name) 
   }
 }
 
+void CaseFile::storeTerritories(const TerritoryMarks& marks) {
+  impl_->requireWriter();
+  Transaction transaction(impl_->database);
+  if (caseTables::writeTerritories(impl_->database, marks)) {
+    transaction.commit();
+  }
+}
+
 void CaseFile::storeModel(const LiverModel& model) {
   impl_->requireWriter();
   caseTables::StoredMeshes meshes = impl_->meshes;

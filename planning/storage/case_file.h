@@ -53,6 +53,9 @@ class CaseFile {
   /// Replaces what the user said about the patient in one committed transaction, together with its undo record; equal facts are no
   /// edit. Throws as storePlans().
   void storePatient(const PatientFacts& facts, const std::string& name = {});
+  /// Replaces what the user said about the territories in one committed transaction, without an undo record. Throws InputError as
+  /// storePlans(), PlanningError where a mark is not valid.
+  void storeTerritories(const TerritoryMarks& marks);
   /// Replaces the model (structures, colours, meshes, who accepts them) in one committed transaction.
   void storeModel(const LiverModel& model);
   /// The undo records of the newest `atMost` edits, oldest first: also those made before the program was last closed.

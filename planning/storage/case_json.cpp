@@ -179,6 +179,32 @@ PatientFacts toFacts(const Json& json) {
   return facts;
 }
 
+Json fromMarks(const TerritoryMarks& marks) {
+  Json list = Json::array();
+  for (const TerritoryMark& mark : marks.marks) {
+    Json points = Json::array();
+    for (const Vec3& point : mark.pointsMm) {
+      points.push_back(fromVector(point));
+    }
+    list.push_back({{"name", mark.name}, {"pointsMm", std::move(points)}});
+  }
+  return {{"proposed", marks.proposed}, {"marks", std::move(list)}};
+}
+
+TerritoryMarks toMarks(const Json& json) {
+  TerritoryMarks marks;
+  marks.proposed = json.at("proposed");
+  for (const Json& one : json.at("marks")) {
+    TerritoryMark mark{one.at("name"), {}};
+    for (const Json& point : one.at("pointsMm")) {
+      mark.pointsMm.push_back(toVector(point));
+    }
+    marks.marks.push_back(std::move(mark));
+  }
+  validate(marks);
+  return marks;
+}
+
 Json fromIdentity(const PatientIdentity& p) {
   return {{"patientName", p.patientName}, {"patientId", p.patientId},      {"birthDate", p.birthDate},
           {"studyDate", p.studyDate},     {"series", p.seriesDescription}, {"frameOfReferenceUid", p.frameOfReferenceUid}};

@@ -17,6 +17,10 @@ Json fromFacts(const PatientFacts& facts);
 /// Validated.
 PatientFacts toFacts(const Json& json);
 
+Json fromMarks(const TerritoryMarks& marks);
+/// Validated.
+TerritoryMarks toMarks(const Json& json);
+
 Json fromIdentity(const PatientIdentity& identity);
 PatientIdentity toIdentity(const Json& json);
 

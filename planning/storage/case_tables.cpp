@@ -89,6 +89,11 @@ std::string plansText(const std::vector<ResectionPlan>& plans) {
   return text;
 }
 
+void putTerritories(const Database& database, const TerritoryMarks& marks) {
+  validate(marks);
+  putDocument(database, "territories", textOf(caseJson::fromMarks(marks)));
+}
+
 std::string factsText(const PatientFacts& facts) { return textOf(caseJson::fromFacts(facts)); }
 
 std::int64_t versionOf(const Database& database) { return database.number("PRAGMA user_version"); }
@@ -121,6 +126,13 @@ auto readOrDamaged(const Database& database, const std::string& misfit, Read&& r
 PatientFacts readPatient(const Database& database) {
   return readOrDamaged(database, "its patient cannot be read", [&] {
     return versionOf(database) > 1 ? caseJson::toFacts(Json::parse(documentText(database, "patient"))) : PatientFacts();
+  });
+}
+
+TerritoryMarks readTerritories(const Database& database) {
+  return readOrDamaged(database, "its territories cannot be read", [&] {
+    return hasDocument(database, "territories") ? caseJson::toMarks(Json::parse(documentText(database, "territories")))
+                                                : TerritoryMarks();
   });
 }
 
@@ -170,6 +182,9 @@ void writeCase(const Database& database, const Case& source, StoredMeshes& store
   putDocument(database, "plans", plansText(source.plans));
   validate(source.patient);
   putDocument(database, "patient", factsText(source.patient));
+  if (!(source.territories == TerritoryMarks())) {
+    putTerritories(database, source.territories);
+  }
   if (!source.ctSource.empty()) {
     for (const CtFileHash& file : ctFilesOf(source, earlier)) {
       Statement(database, "INSERT INTO ct_file(name, bytes, sha256) VALUES(?, ?, ?)")
@@ -266,6 +281,15 @@ bool writePatient(const Database& database, const PatientFacts& facts, const std
   return true;
 }
 
+bool writeTerritories(const Database& database, const TerritoryMarks& marks) {
+  if (readTerritories(database) == marks) {
+    return false;
+  }
+  bringUpToDate(database);
+  putTerritories(database, marks);
+  return true;
+}
+
 Case readCase(const Database& database, StoredMeshes& stored) {
   try {
     Case read;
@@ -285,6 +309,7 @@ Case readCase(const Database& database, StoredMeshes& stored) {
     read.model = readModel(database, read.segmentation->structures.size(), stored);
     read.plans = caseJson::toPlans(Json::parse(documentText(database, "plans")));
     read.patient = readPatient(database);
+    read.territories = readTerritories(database);
     return read;
   } catch (const Json::exception&) {
     damaged(database, "a document has not the form of version " + std::to_string(kVersion));

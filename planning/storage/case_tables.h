@@ -1,10 +1,9 @@
 #pragma once
 // Purpose: a case in the tables of its database, version 2. Private to storage/.
-//   document(key, json, crc)   'case', 'segmentation', 'model', 'plans', 'patient', perhaps 'ct'; crc is CRC-32 of the text
-//   part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h; 'ct/N': embedded_ct.h
-//   ct_file(name, bytes, sha256)
-//   history(step, before, after, name, patient_before, patient_after)   the plans before and after each edit, and what it is
-//   called;
+//   document(key, json, crc)   'case', 'segmentation', 'model', 'plans', 'patient', 'territories' (once something was said),
+//   perhaps 'ct'; crc is CRC-32 of the text part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h; 'ct/N':
+//   embedded_ct.h ct_file(name, bytes, sha256) history(step, before, after, name, patient_before, patient_after)   the plans before
+//   and after each edit, and what it is called;
 //       the last two are null but for an edit of the patient, whose plans are equal
 // Version 1 has no 'patient', no names of edits, and plans without islands and measures. It is read as it is, and becomes version 2
 // in the transaction of the first edit of its plans or patient: an older program then refuses it instead of dropping what it does
@@ -37,6 +36,8 @@ bool writePlans(const Database& database, const std::vector<ResectionPlan>& plan
 void writeHistory(const Database& database, const std::vector<PlanStep>& steps);
 /// Replaces what the user said about the patient and appends the edit to the history; false where nothing changed.
 bool writePatient(const Database& database, const PatientFacts& facts, const std::string& name);
+/// Replaces what the user said about the territories; false where nothing changed. Opens no transaction.
+bool writeTerritories(const Database& database, const TerritoryMarks& marks);
 Case readCase(const Database& database, StoredMeshes& stored);
 /// What an embedded CT takes from the case: the labels' grid, and the patient.
 std::pair<ImageGeometry, PatientIdentity> readLabelGrid(const Database& database);

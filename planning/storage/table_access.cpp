@@ -25,6 +25,11 @@ void putDocument(const Database& database, const char* key, const std::string& t
   statement.bind(0, std::string_view(key)).bind(1, std::string_view(text)).bind(2, crcOf(text)).step();
 }
 
+bool hasDocument(const Database& database, const char* key) {
+  Statement statement(database, "SELECT 1 FROM document WHERE key = ?");
+  return statement.bind(0, std::string_view(key)).step();
+}
+
 std::string documentText(const Database& database, const char* key) {
   Statement statement(database, "SELECT json, crc FROM document WHERE key = ?");
   if (!statement.bind(0, std::string_view(key)).step()) {

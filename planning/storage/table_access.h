@@ -17,6 +17,7 @@ std::string textOf(const nlohmann::ordered_json& json);
 [[noreturn]] void damaged(const Database& database, const std::string& what);
 
 void putDocument(const Database& database, const char* key, const std::string& text);
+bool hasDocument(const Database& database, const char* key);
 std::string documentText(const Database& database, const char* key);
 
 void putPart(const Database& database, const std::string& key, const Packed& packed);

@@ -93,6 +93,7 @@ TEST(CliPlan, TerritoriesAddUpToTheLiverAndAreConfirmedOnlyByAPerson) {
   const Json confirmed = Json::parse(cli({"plan", file, "--territories", "--confirm-territories", "--json"}).out)["estimates"];
   EXPECT_EQ(confirmed["territoriesConfirmed"], true);
   EXPECT_EQ(confirmed["territories"], estimates["territories"]);
+  EXPECT_EQ(Json::parse(cli({"plan", file, "--territories", "--json"}).out)["estimates"], confirmed) << "the case keeps it";
 }
 
 TEST(CliPlan, TerritoriesCanBePickedOrReadFromAMapOfSegments) {
@@ -104,7 +105,11 @@ TEST(CliPlan, TerritoriesCanBePickedOrReadFromAMapOfSegments) {
   EXPECT_EQ(plan["estimates"]["territoriesFrom"], "picked");
   ASSERT_EQ(plan["estimates"]["territories"].size(), 1U);
   EXPECT_EQ(plan["estimates"]["territories"][0]["volumeMl"], plan["totalMl"]);
+  EXPECT_EQ(Json::parse(cli({"plan", file, "--territories", "--json"}).out)["estimates"], plan["estimates"]) << "the case keeps it";
+  const std::string before = bytesOf(file);
   expectRefusal(cli({"plan", file, "--territories", "--territory", "none=99999"}), 2, "has no branch 99999");
+  EXPECT_EQ(cli({"plan", file, "--territories", "--confirm-territories", "--dry-run"}).exitCode, 0);
+  EXPECT_EQ(bytesOf(file), before);
   const Finished segments =
       cli({"plan", file, "--territories", "--segments", (samplePatient() / "labels.nii.gz").string(), "--json"});
   ASSERT_EQ(segments.exitCode, 0) << segments.err;  // the patient's labels 1 to 7, taken for segments
@@ -114,7 +119,8 @@ TEST(CliPlan, TerritoriesCanBePickedOrReadFromAMapOfSegments) {
     total += part["volumeMl"].get<double>();
   }
   EXPECT_NEAR(total, map["totalMl"].get<double>(), 1e-9);
-  EXPECT_NE(cli({"plan", file, "--territories"}).out.find("--confirm-territories"), std::string::npos);
+  const TemporaryFolder untouched;
+  EXPECT_NE(cli({"plan", copyOfCase(untouched), "--territories"}).out.find("--confirm-territories"), std::string::npos);
 }
 
 TEST(CliPlan, UnknownPlanNameIsRefusedAndStoresNothing) {

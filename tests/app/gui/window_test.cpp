@@ -37,6 +37,7 @@
 #include "app/gui/view_area.h"
 #include "app/jobs/thread_job_runner.h"
 #include "planning/exchange/package.h"
+#include "planning/storage/case_file.h"
 #include "reconstruction/errors.h"
 #include "small_case.h"
 #include "wait.h"
@@ -670,8 +671,18 @@ TEST_F(WindowTest, TerritoriesAreEstimatedWhenAskedForFollowThePlanAndTakePicked
   EXPECT_NEAR(number(table->topLevelItem(0)->text(2)), document().assessment().resectedMl, 0.6);
   document().choose(document().chosen());
   EXPECT_TRUE(table->isEnabled());
+  ASSERT_EQ(document().content().territories.marks.size(), 1U);
   find<QPushButton>("proposeTerritories")->click();
   ASSERT_TRUE(waitFor([&] { return table->topLevelItemCount() == 0; }));
+  EXPECT_TRUE(document().content().territories.marks.empty());
+  EXPECT_EQ(document().undoStack().undoText(), "propose territories");
+  document().undoStack().undo();
+  ASSERT_TRUE(waitFor([&] { return table->topLevelItemCount() == 1 && table->isEnabled(); }));
+  EXPECT_EQ(table->topLevelItem(0)->text(0), "Territory 1");
+  // a file that is opened again still has them
+  document().flush();
+  const Case stored = CaseFile::open(document().path()).load();
+  EXPECT_EQ(stored.territories, document().content().territories);
 }
 
 TEST_F(WindowTest, ASeparatedPieceIsGivenToTheOtherSideAndBack) {

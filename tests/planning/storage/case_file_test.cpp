@@ -85,6 +85,7 @@ Case sampleCase() {
   made.identity = {"Doe^Jane", "4711", "19700101", "20200202", "portal venous", "1.2.3"};
   made.notes.emplace_back("a note");
   made.patient = {170.1, std::nullopt, LiverCondition::LongChemotherapy, TumourType::ColorectalMetastases};
+  made.territories = {{{"left", {Vec3(1, 2.0 / 3, -7)}}, {"Rücken", {Vec3(4, 5, 6), Vec3(0, 0, 0)}}}, true};
   Structure built = *made.model->find("tumour_01");
   auto reconstruction = std::make_shared<Reconstruction>();
   reconstruction->mesh = tetrahedron();
@@ -115,6 +116,7 @@ void expectEqual(const Case& a, const Case& b) {
   EXPECT_EQ(a.ctSource, b.ctSource);
   EXPECT_EQ(a.notes, b.notes);
   EXPECT_EQ(a.patient, b.patient);
+  EXPECT_EQ(a.territories, b.territories);
   EXPECT_EQ(a.segmentation->geometry.spacing, b.segmentation->geometry.spacing);
   EXPECT_EQ(a.segmentation->geometry.origin, b.segmentation->geometry.origin);
   EXPECT_EQ(a.segmentation->geometry.direction, b.segmentation->geometry.direction);

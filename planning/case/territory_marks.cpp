@@ -1,0 +1,18 @@
+#include "planning/case/territory_marks.h"
+
+#include <algorithm>
+
+#include "reconstruction/errors.h"
+
+namespace glisson {
+
+void validate(const TerritoryMarks& marks) {
+  for (const TerritoryMark& mark : marks.marks) {
+    const bool finite = std::ranges::all_of(mark.pointsMm, [](const Vec3& point) { return point.allFinite(); });
+    if (mark.name.empty() || mark.pointsMm.empty() || !finite) {
+      throw PlanningError("A territory needs a name and points that are finite numbers; point at its branches again.");
+    }
+  }
+}
+
+}  // namespace glisson

@@ -1,0 +1,27 @@
+#pragma once
+// Purpose: what the user said about the territories, kept with the case. As points, since branches are found anew from the labels:
+// a point means the portal branch whose centreline it lies on, with all behind it. Frame: mm LPS.
+
+#include <string>
+#include <vector>
+
+#include "reconstruction/image/image_geometry.h"
+
+namespace glisson {
+
+struct TerritoryMark {
+  std::string name;
+  std::vector<Vec3> pointsMm;
+  bool operator==(const TerritoryMark&) const = default;
+};
+
+struct TerritoryMarks {
+  std::vector<TerritoryMark> marks;  ///< none: nothing was said, left and right are proposed
+  bool proposed = false;             ///< left and right as proposed, looked at and confirmed; else the user pointed at branches
+  bool operator==(const TerritoryMarks&) const = default;
+};
+
+/// Throws PlanningError where a name or a mark is empty or a point is not finite.
+void validate(const TerritoryMarks& marks);
+
+}  // namespace glisson
