@@ -2539,6 +2539,10 @@
         <source>A territory needs a name and points that are finite numbers; point at its branches again.</source>
         <translation>Ein Territorium braucht einen Namen und Punkte mit endlichen Koordinaten; zeigen Sie erneut auf seine Äste.</translation>
     </message>
+    <message>
+        <source>its territories cannot be read</source>
+        <translation>seine Territorien sind nicht lesbar</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>

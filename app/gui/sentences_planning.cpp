@@ -176,6 +176,7 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "its case has no CT source")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its history cannot be read")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its patient cannot be read")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "its territories cannot be read")},
     {"",
      QT_TRANSLATE_NOOP(
          "Sentence", "The plan holds a number that is not finite or a normal that is not of unit length; place the plane again.")},

@@ -64,10 +64,10 @@ TEST(MarkedBranches, AMarkWithoutItsBranchIsNotMovedToAnotherOne) {
 }
 
 TEST(MarkedBranches, WhatIsNoMarkIsRefused) {
-  EXPECT_THROW(validate({{{"", {Vec3(0, 0, 0)}}}, false}), PlanningError);
-  EXPECT_THROW(validate({{{"a", {}}}, false}), PlanningError);
-  EXPECT_THROW(validate({{{"a", {Vec3(0, std::numeric_limits<double>::infinity(), 0)}}}, false}), PlanningError);
-  EXPECT_NO_THROW(validate({}));
+  EXPECT_THROW(validate(TerritoryMarks{{{"", {Vec3(0, 0, 0)}}}, false}), PlanningError);
+  EXPECT_THROW(validate(TerritoryMarks{{{"a", {}}}, false}), PlanningError);
+  EXPECT_THROW(validate(TerritoryMarks{{{"a", {Vec3(0, std::numeric_limits<double>::infinity(), 0)}}}, false}), PlanningError);
+  EXPECT_NO_THROW(validate(TerritoryMarks()));
 }
 
 }  // namespace
