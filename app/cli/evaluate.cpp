@@ -46,12 +46,15 @@ ExperimentOptions optionsOf(const Flags& flags) {
   return options;
 }
 
+/// "DIR/" is DIR.
+std::filesystem::path withoutSlash(const std::string& text) {
+  const std::filesystem::path path = std::filesystem::path(text).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
 /// Said before the work is done: DIR may be missing, the folder it is to stand in may not.
 std::filesystem::path outputFolder(const Flags& flags) {
-  std::filesystem::path folder = std::filesystem::path(flags.output).lexically_normal();
-  if (!folder.has_filename()) {
-    folder = folder.parent_path();  // "DIR/"
-  }
+  const std::filesystem::path folder = withoutSlash(flags.output);
   std::error_code error;
   if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error)) {
     throw UsageError(flags.output + " is a file; name a folder");
@@ -144,7 +147,7 @@ int evaluate(const Flags& flags, const ExecutionContext& context) {
   const ThreadLimit limit(flags.threads);
 
   const Segmentation segmentation = readSegmentation(flags.segmentation, options, context.range(0, 0.05));
-  label.file = std::filesystem::path(segmentation.source.empty() ? flags.segmentation : segmentation.source).filename().string();
+  label.file = withoutSlash(flags.segmentation).filename().string();
   label.chosen = chooseMask(segmentation, flags.choice);
   label.geometry = segmentation.geometry;
   const EvaluationReference reference = referenceOf(flags, label, context.range(0.05, 0.1));

@@ -61,7 +61,7 @@ void markFront(Evaluation& evaluation, const Places& places, bool ModelScore::*m
 
 std::string EvaluatedModel::name() const {
   ModelRecipe used = recipe;
-  used.depth = usedDepth > 0 ? usedDepth : recipe.depth;
+  used.depth = measures && usedDepth > 0 ? usedDepth : recipe.depth;
   return modelName(used);
 }
 

@@ -28,7 +28,7 @@ struct EvaluatedModel {
   ModelSeconds seconds;
   std::optional<double> peakMemoryMb;
 
-  /// modelName() with the depth that was used.
+  /// modelName() with the depth that was used; of a failed model, with the one that was asked for.
   [[nodiscard]] std::string name() const;
 };
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <mutex>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/mesh/sharp_edges.h"
 #include "reconstruction/mesh/simplify.h"
 #include "reconstruction/parallel.h"
 
@@ -44,9 +44,11 @@ class Experiment {
   [[nodiscard]] Places placesOf(bool mcsd) const;
   [[nodiscard]] Poisson poissonOfDepth(int depth, const ExecutionContext& context) const;
   void finishPoisson(std::size_t place, const Poisson& poisson, const ExecutionContext& context) const;
-  /// Everything but `shipped`, or the failure.
+  /// Or the failure.
   void measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const;
-  [[nodiscard]] std::vector<std::optional<ModelSeconds>> timedMcsd(const Places& places, const ExecutionContext& context) const;
+  /// The quickest of all runs but the last, which is timed where the models are measured.
+  [[nodiscard]] std::vector<std::optional<ModelSeconds>> timedMcsd(std::span<const McsdParameters> sets,
+                                                                   const ExecutionContext& context) const;
 
   const Mask& mask_;
   const ImageGeometry& geometry_;
@@ -69,7 +71,9 @@ Places Experiment::placesOf(bool mcsd) const {
 void Experiment::measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const {
   const auto start = Clock::now();
   try {
-    model.measures = reference_.measure(mesh, model.recipe.family == ModelFamily::SimplifiedPsr, context);
+    const ModelFamily family = model.recipe.family;
+    model.measures = reference_.measure(mesh, family == ModelFamily::SimplifiedPsr, context);
+    model.measures->shipped = measureAsShipped(family == ModelFamily::Mcsd ? splitAtSharpEdges(mesh) : mesh);
   } catch (const Error& error) {
     model.failure = error.what();
   }
@@ -120,9 +124,6 @@ void Experiment::finishPoisson(std::size_t place, const Poisson& poisson, const 
   if (model.failure.empty()) {
     measure(*mesh, model, context);
   }
-  if (model.measures) {
-    model.measures->shipped = measureAsShipped(*mesh);
-  }
   visit_(place, std::move(model));
 }
 
@@ -151,13 +152,9 @@ void Experiment::makePoisson(const ExecutionContext& context) const {
   });
 }
 
-std::vector<std::optional<ModelSeconds>> Experiment::timedMcsd(const Places& places, const ExecutionContext& context) const {
-  std::vector<McsdParameters> sets;
-  sets.reserve(places.size());
-  for (const std::size_t place : places) {
-    sets.push_back(mcsdOf(recipes_[place], false));
-  }
-  std::vector<std::optional<ModelSeconds>> best(places.size());
+std::vector<std::optional<ModelSeconds>> Experiment::timedMcsd(std::span<const McsdParameters> sets,
+                                                               const ExecutionContext& context) const {
+  std::vector<std::optional<ModelSeconds>> best(sets.size());
   for (int run = 1; run < options_.timings; ++run) {
     sweepMcsd(
         mask_, geometry_, sets,
@@ -175,48 +172,20 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
     return;
   }
   const double timedShare = 0.5 * (options_.timings - 1) / options_.timings;
-  std::vector<std::optional<ModelSeconds>> best = timedMcsd(places, context.range(0.0, timedShare));
-  // Two sets for each model: merged, and as shipped.
   std::vector<McsdParameters> sets;
+  sets.reserve(places.size());
   for (const std::size_t place : places) {
-    sets.push_back(mcsdOf(recipes_[place], false));
-    sets.push_back(mcsdOf(recipes_[place], true));
+    sets.push_back(mcsdOf(recipes_[place]));
   }
-  struct Halves {
-    std::optional<EvaluatedModel> merged;
-    std::optional<ShippedMeasures> shipped;
-  };
-  std::vector<Halves> halves(places.size());
-  std::mutex mutex;
-  const auto take = [&](std::size_t set, const McsdResult& made, const ExecutionContext& share) {
-    const std::size_t n = set / 2;
-    if (set % 2 == 1) {
-      const ShippedMeasures shipped = measureAsShipped(made.mesh);
-      const std::lock_guard lock(mutex);
-      halves[n].shipped = shipped;
-    } else {
-      EvaluatedModel model;
-      model.recipe = recipes_[places[n]];
-      keepQuicker(best[n], {.extract = made.extractSeconds, .decimate = made.decimateSeconds, .smooth = made.smoothSeconds});
-      model.seconds = *best[n];
-      measure(made.mesh, model, share);
-      const std::lock_guard lock(mutex);
-      halves[n].merged = std::move(model);
-    }
+  std::vector<std::optional<ModelSeconds>> best = timedMcsd(sets, context.range(0.0, timedShare));
+  const auto take = [&](std::size_t n, const McsdResult& made, const ExecutionContext& share) {
+    EvaluatedModel model;
+    model.recipe = recipes_[places[n]];
+    keepQuicker(best[n], {.extract = made.extractSeconds, .decimate = made.decimateSeconds, .smooth = made.smoothSeconds});
+    model.seconds = *best[n];
+    measure(made.mesh, model, share);
     share.report(1.0, "measures");
-    std::optional<EvaluatedModel> done;
-    {
-      const std::lock_guard lock(mutex);
-      if (halves[n].merged && halves[n].shipped) {
-        done.swap(halves[n].merged);
-      }
-    }
-    if (done) {
-      if (done->measures) {
-        done->measures->shipped = *halves[n].shipped;
-      }
-      visit_(places[n], std::move(*done));
-    }
+    visit_(places[n], std::move(model));
   };
   sweepMcsd(mask_, geometry_, sets, take, context.range(timedShare, 1.0));
 }

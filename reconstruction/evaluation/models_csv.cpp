@@ -94,7 +94,8 @@ std::string defectsOf(const Row& row) {
 
 std::string deviationOf(const Row& row) {
   const auto& measures = row.model().measures;
-  return measures && measures->volumeMl ? formatExact(100.0 * (*measures->volumeMl / row.voxelVolumeMl - 1.0)) : std::string();
+  return measures && measures->volumeMl ? formatExact(100.0 * (*measures->volumeMl - row.voxelVolumeMl) / row.voxelVolumeMl)
+                                        : std::string();
 }
 
 void add(std::vector<Column>& columns, std::vector<Column> more) {

@@ -62,12 +62,11 @@ PoissonParameters poissonOf(const ModelRecipe& recipe, const ExperimentOptions& 
   return {.depth = recipe.depth, .sampling = options.sampling, .scale = options.scale};
 }
 
-McsdParameters mcsdOf(const ModelRecipe& recipe, bool splitNormals) {
+McsdParameters mcsdOf(const ModelRecipe& recipe) {
   return {.smoothing = recipe.smoothing,
           .filter = SmoothingFilter::Laplacian,
           .decimation = recipe.decimationPercent / 100.0,
-          .order = McsdOrder::DecimateFirst,
-          .splitNormals = splitNormals};
+          .order = McsdOrder::DecimateFirst};
 }
 
 }  // namespace glisson

@@ -56,7 +56,7 @@ std::string modelId(const ModelRecipe& recipe);
 std::string modelName(const ModelRecipe& recipe);
 
 PoissonParameters poissonOf(const ModelRecipe& recipe, const ExperimentOptions& options);
-/// Laplacian, decimated first.
-McsdParameters mcsdOf(const ModelRecipe& recipe, bool splitNormals);
+/// Laplacian, decimated first, normals not split: as shipped a mesh is measured beside (mesh/sharp_edges.h).
+McsdParameters mcsdOf(const ModelRecipe& recipe);
 
 }  // namespace glisson

@@ -57,7 +57,7 @@ TEST(Recipes, AreThePapersFiftyFourAndAFewMoreEachWithANameOfItsOwn) {
 }
 
 TEST(Recipes, DecimateBeforeTheySmoothByTheLaplacianFilterAndSampleAsThePaper) {
-  const McsdParameters mcsd = mcsdOf({.family = kMcsd, .smoothing = 22, .decimationPercent = 90}, false);
+  const McsdParameters mcsd = mcsdOf({.family = kMcsd, .smoothing = 22, .decimationPercent = 90});
   EXPECT_EQ(mcsd.filter, SmoothingFilter::Laplacian);
   EXPECT_EQ(mcsd.order, McsdOrder::DecimateFirst);
   EXPECT_EQ(mcsd.smoothing, 22);

@@ -12,6 +12,7 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/model_json.h"
 #include "reconstruction/mesh/self_intersection.h"
+#include "reconstruction/mesh/sharp_edges.h"
 #include "reconstruction/mesh/simplify.h"
 #include "reconstruction/parallel.h"
 
@@ -90,9 +91,9 @@ TEST(Experiment, MeasuresEachModelAsTheSingleFunctionsDo) {
     EXPECT_EQ(measures.curvature.trimmedPerMm2, meanGaussianCurvature(mesh).trimmedPerMm2);
     EXPECT_EQ(measures.defects, mesh.defects().names());
   };
-  expectOf(models[0], reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[0], false)).mesh);
+  expectOf(models[0], reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[0])).mesh);
   expectOf(models[2], reconstructPoisson(body.mask, body.geometry, poissonOf(kFew[2], {})).mesh);
-  expectOf(models[3], reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[3], false)).mesh);
+  expectOf(models[3], reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[3])).mesh);
   const PoissonResult deepest = reconstructPoisson(body.mask, body.geometry, poissonOf(kFew[1], {}));
   expectOf(models[1], simplify(deepest.mesh, {.triangles = deepest.mesh.triangles.size() / 16}));
   EXPECT_EQ(models[1].usedDepth, 6);
@@ -105,7 +106,7 @@ TEST(Experiment, SplitNormalsTakeTheMeshApartAndInflateItsCurvature) {
   const Body body = ellipsoid();
   const std::vector<EvaluatedModel> models = make(body, kFew);
   const ModelMeasures& cubes = *models[3].measures;
-  const SurfaceMesh split = reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[3], true)).mesh;
+  const SurfaceMesh split = splitAtSharpEdges(reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[3])).mesh);
   EXPECT_EQ(cubes.shipped.vertices, split.vertices.size());
   EXPECT_GT(cubes.shipped.vertices, cubes.vertices);
   EXPECT_EQ(cubes.shipped.curvature.trimmedPerMm2, gaussianCurvatureAsShipped(split).trimmedPerMm2);

@@ -137,12 +137,13 @@ TEST(PublishedScores, OfTheFirstPatientFollowFromItsModels) {
   EXPECT_NEAR(normalised(objectivesOf(patient.bestMcsd), bounds).score(), 0.22, 0.01);
 }
 
-TEST(PublishedFront, OfTheComparedModelsDropsTheSimilarOneOfTheSecondPatientAlone) {
+TEST(PublishedFront, LosesTheSimilarModelOfTheSecondPatientAndTheBestMcsdOfTheFifth) {
+  // 4.1 puts every best MCSD on the front; in Table 3 the fifth patient's has more triangles and a greater error than its best PSR.
   for (std::size_t n = 0; n < kPublished.size(); ++n) {
     const PublishedPatient& patient = kPublished[n];
     const std::vector<Objectives> models{objectivesOf(patient.bestPsr), objectivesOf(patient.mostSimilar),
                                          objectivesOf(patient.bestMcsd)};
-    EXPECT_EQ(onParetoFront(models), (Front{true, n != 1, true})) << n;
+    EXPECT_EQ(onParetoFront(models), (Front{true, n != 1, n != 4})) << n;
   }
 }
 
