@@ -24,6 +24,20 @@ ThreadJobRunner::~ThreadJobRunner() {
   }
 }
 
+void ThreadJobRunner::takeSoon() {
+  if (taking_ || ended_.empty()) {
+    return;
+  }
+  taking_ = true;
+  QTimer::singleShot(0, this, [this] {
+    const JobId id = ended_.front();
+    ended_.pop_front();
+    taking_ = false;
+    takeSoon();  // before the result is used: that may run an event loop of its own
+    workEnded(id);
+  });
+}
+
 void ThreadJobRunner::launch(JobId id, std::function<void()> work) {
   std::unique_ptr<QThread> thread(QThread::create([run = std::move(work)] {
     // on Linux a thread has a niceness of its own, and the threads it starts inherit it: the window keeps answering
@@ -35,7 +49,8 @@ void ThreadJobRunner::launch(JobId id, std::function<void()> work) {
       [this, id] {
         // its work is over, but the thread itself may still wait for a processor to end on: nobody waits for it here
         QTimer::singleShot(kReapMs, this, [this, id] { threads_.erase(id); });
-        workEnded(id);
+        ended_.push_back(id);
+        takeSoon();
       },
       Qt::QueuedConnection);
   QThread* started = thread.get();

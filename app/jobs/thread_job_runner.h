@@ -18,6 +18,11 @@ class ThreadJobRunner : public JobRunner {
   void launch(JobId id, std::function<void()> work) override;
 
  private:
+  /// One result in each turn of the event loop: several at once would keep the window from answering.
+  void takeSoon();
+
+  std::deque<JobId> ended_;
+  bool taking_ = false;
   std::map<JobId, std::unique_ptr<QThread>> threads_;
 };
 

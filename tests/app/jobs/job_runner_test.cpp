@@ -207,6 +207,26 @@ TEST(ThreadJobRunnerTest, ACancelIsReportedWithinAHundredMillisecondsWhileTheWor
   EXPECT_TRUE(waitIdle(runner));
 }
 
+TEST(ThreadJobRunnerTest, ResultsThatCameTogetherAreTakenInSeparateTurnsOfTheEventLoop) {
+  ThreadJobRunner runner;
+  QSemaphore done;
+  int taken = 0;
+  constexpr int kJobs = 5;
+  for (int n = 0; n < kJobs; ++n) {
+    runner.submit({.process = [&](const ExecutionContext&) { done.release(); }, .finish = [&] { ++taken; }});
+  }
+  ASSERT_TRUE(done.tryAcquire(kJobs, 20000));
+  QThread::msleep(50);  // the threads end
+  QElapsedTimer clock;
+  clock.start();
+  while (taken < kJobs && clock.elapsed() < 20000) {
+    const int before = taken;
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    EXPECT_LE(taken - before, 1);
+  }
+  EXPECT_EQ(taken, kJobs);
+}
+
 TEST(ThreadJobRunnerTest, NoMoreHeavyJobsThanTheLimitRunAtOnceAndLightOnesDoNotWait) {
   ThreadJobRunner runner(2);
   std::atomic<int> running = 0;
