@@ -2,6 +2,8 @@
 // Purpose: a person accepts the surface of a structure, or takes it back: a button below the list of structures and entries of its
 // context menu. The person's name is asked for once and remembered in the settings.
 
+#include <QWidget>
+
 #include "app/gui/document.h"
 #include "app/gui/translated.h"
 
