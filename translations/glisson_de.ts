@@ -1848,10 +1848,6 @@
         <translation>der Verlauf lässt sich nicht lesen</translation>
     </message>
     <message>
-        <source>The plan holds a number that is not finite or a normal that is not of unit length; place the plane again.</source>
-        <translation>Der Plan enthält eine Zahl, die nicht endlich ist, oder eine Normale, die nicht die Länge eins hat; setzen Sie die Ebene neu.</translation>
-    </message>
-    <message>
         <source>%1 cannot be written because the disk is full; free some space, the last saved state is intact.</source>
         <translation>%1 lässt sich nicht schreiben, weil die Platte voll ist; schaffen Sie Platz, der zuletzt gespeicherte Stand ist unversehrt.</translation>
     </message>
@@ -2442,6 +2438,66 @@
     <message>
         <source>Territory %1</source>
         <translation>Territorium %1</translation>
+    </message>
+    <message>
+        <source>The plan holds a number that is not finite, a normal that is not of unit length or a bend that is none; place the plane again.</source>
+        <translation>Der Plan enthält eine Zahl, die nicht endlich ist, eine Normale, die nicht die Länge eins hat, oder eine Biegung, die keine ist; setzen Sie die Ebene neu.</translation>
+    </message>
+    <message>
+        <source>bend plane %1 of %2</source>
+        <translation>Ebene %1 von %2 biegen</translation>
+    </message>
+    <message>
+        <source>bend plane %1</source>
+        <translation>Ebene %1 biegen</translation>
+    </message>
+    <message>
+        <source>bend plane</source>
+        <translation>Ebene biegen</translation>
+    </message>
+    <message>
+        <source>flatten plane %1 of %2</source>
+        <translation>Ebene %1 von %2 ebnen</translation>
+    </message>
+    <message>
+        <source>flatten plane %1</source>
+        <translation>Ebene %1 ebnen</translation>
+    </message>
+    <message>
+        <source>flatten plane</source>
+        <translation>Ebene ebnen</translation>
+    </message>
+    <message>
+        <source>The plane has no bend; bend it first.</source>
+        <translation>Die Ebene hat keine Biegung; biegen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>The plan has a bent plane, whose sides are no convex parts; flatten it first.</source>
+        <translation>Der Plan hat eine gebogene Ebene, deren Seiten keine konvexen Teile sind; ebnen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>A bend needs an axis within the plane, a half size of 10 to 1000 mm and 16 heights of at most 1000 mm; bend the plane again.</source>
+        <translation>Eine Biegung braucht eine Achse in der Ebene, eine halbe Größe von 10 bis 1000 mm und 16 Höhen von höchstens 1000 mm; biegen Sie die Ebene neu.</translation>
+    </message>
+    <message>
+        <source>a plane&apos;s bend has not 16 heights</source>
+        <translation>die Biegung einer Ebene hat nicht 16 Höhen</translation>
+    </message>
+    <message>
+        <source>its history holds a bend that is none</source>
+        <translation>sein Verlauf enthält eine Biegung, die keine ist</translation>
+    </message>
+    <message>
+        <source>Plane %1 of %2 is bent in %3 only.</source>
+        <translation>Ebene %1 von %2 ist nur in %3 gebogen.</translation>
+    </message>
+    <message>
+        <source>Plane %1 of %2 is bent in another way in %3 than in %4.</source>
+        <translation>Ebene %1 von %2 ist in %3 anders gebogen als in %4.</translation>
+    </message>
+    <message>
+        <source>%1 holds a bent plane, which the window does not draw yet; use glisson-cli plan and export.</source>
+        <translation>%1 enthält eine gebogene Ebene, die das Fenster noch nicht zeichnet; verwenden Sie glisson-cli plan und export.</translation>
     </message>
 </context>
 <context>

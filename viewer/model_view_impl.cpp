@@ -101,10 +101,10 @@ void ModelView::Impl::showPlan() {
 
 ResectionMap ModelView::Impl::mapOf(std::size_t resection, std::size_t index, bool coarse) const {
   ResectionMap map;
-  const std::vector<HalfSpace>& planes = plan.resections[resection].planes;
+  const std::vector<ResectionPlane>& planes = plan.resections[resection].planes;
   map.plane = planes[index];
   map.safetyMarginMm = plan.safetyMarginMm;
-  map.within = planes;
+  map.within.assign(planes.begin(), planes.end());
   map.within.erase(map.within.begin() + static_cast<std::ptrdiff_t>(index));
   const auto loopsOf = [&](const StructureActors& actors) {
     return sectionLoops(coarse ? actors.coarseMesh() : actors.mesh(), map.plane);
@@ -147,7 +147,7 @@ void ModelView::Impl::updateSection(bool coarse) {
   section.clear();
   std::size_t drawn = 0;
   for (std::size_t r = 0; r < plan.resections.size(); ++r) {
-    const std::vector<HalfSpace>& planes = plan.resections[r].planes;
+    const std::vector<ResectionPlane>& planes = plan.resections[r].planes;
     for (std::size_t p = 0; p < planes.size(); ++p, ++drawn) {
       ResectionMap map = mapOf(r, p, coarse);
       const QImage margins =

@@ -126,7 +126,8 @@ std::string plansText(const std::vector<ResectionPlan>& plans) {
     (void)caseJson::toPlans(Json::parse(text));
   } catch (const std::exception&) {
     throw PlanningError(
-        "The plan holds a number that is not finite or a normal that is not of unit length; place the plane again.");
+        "The plan holds a number that is not finite, a normal that is not of unit length or a bend that is none; place the plane "
+        "again.");
   }
   return text;
 }
@@ -137,9 +138,11 @@ void setVersion(const Database& database) { database.execute(("PRAGMA user_versi
 
 /// What an edit of an older file has to do first; part of the edit's transaction.
 void bringUpToDate(const Database& database) {
-  if (versionOf(database) < kVersion) {
+  if (versionOf(database) < 2) {
     putDocument(database, "patient", textOf(caseJson::fromFacts({})));
     database.execute("ALTER TABLE history ADD COLUMN name TEXT NOT NULL DEFAULT ''");
+  }
+  if (versionOf(database) < kVersion) {
     setVersion(database);
   }
 }
@@ -302,6 +305,8 @@ std::vector<PlanStep> readHistory(const Database& database, std::size_t atMost) 
     }
   } catch (const Json::exception&) {
     damaged(database, "its history cannot be read");
+  } catch (const PlanningError&) {
+    damaged(database, "its history holds a bend that is none");
   }
   std::reverse(steps.begin(), steps.end());
   return steps;

@@ -1,12 +1,12 @@
 #pragma once
-// Purpose: a case in the tables of its database, version 2. Private to storage/.
+// Purpose: a case in the tables of its database, version 3. Private to storage/.
 //   document(key, json, crc)   'case', 'segmentation', 'model', 'plans', 'patient'; crc is CRC-32 of the text
 //   part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h
 //   ct_file(name, bytes, sha256)
 //   history(step, before, after, name)   the plans before and after each edit, and what it is called
-// Version 1 has no 'patient', no names of edits, and plans without islands and measures. It is read as it is, and becomes version 2
-// in the transaction of the first edit of its plans or patient: an older program then refuses it instead of dropping what it does
-// not know.
+// Version 1 has no 'patient', no names of edits, and plans without islands and measures; version 2 no bent planes. An older version
+// is read as it is, and becomes this one in the transaction of the first edit of its plans or patient: an older program then
+// refuses it instead of dropping what it does not know.
 
 #include <map>
 
@@ -17,7 +17,7 @@
 namespace glisson::caseTables {
 
 inline constexpr std::int64_t kApplicationId = 0x476C6973;  ///< "Glis"
-inline constexpr std::int64_t kVersion = 2;
+inline constexpr std::int64_t kVersion = 3;
 
 /// What the meshes in the file were written from, so that an unchanged mesh is not written again.
 using StoredMeshes = std::map<std::string, std::shared_ptr<const Reconstruction>>;
