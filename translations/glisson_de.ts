@@ -2495,10 +2495,6 @@
         <source>Plane %1 of %2 is bent in another way in %3 than in %4.</source>
         <translation>Ebene %1 von %2 ist in %3 anders gebogen als in %4.</translation>
     </message>
-    <message>
-        <source>%1 holds a bent plane, which the window does not draw yet; use glisson-cli plan and export.</source>
-        <translation>%1 enthält eine gebogene Ebene, die das Fenster noch nicht zeichnet; verwenden Sie glisson-cli plan und export.</translation>
-    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -2764,6 +2760,10 @@
     <message>
         <source>Left and right are proposed from the main bifurcation; nobody has confirmed them.</source>
         <translation>Links und rechts sind von der Hauptgabelung aus vorgeschlagen; niemand hat sie bestätigt.</translation>
+    </message>
+    <message>
+        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, control points mm above the plane row by row: %4.</source>
+        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, Kontrollpunkte in mm über der Ebene, Reihe für Reihe: %4.</translation>
     </message>
 </context>
 <context>
@@ -3973,6 +3973,42 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Place a plane first.</source>
         <translation>Setzen Sie zuerst eine Ebene.</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
+        <source>one point</source>
+        <translation>ein Punkt</translation>
+    </message>
+    <message>
+        <source>its group</source>
+        <translation>seine Gruppe</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Eben</translation>
+    </message>
+    <message>
+        <source>Show 16 control points and drag them along the normal: the plane becomes a Bezier surface</source>
+        <translation>16 Kontrollpunkte zeigen und entlang der Normale ziehen: Die Ebene wird eine Bézierfläche</translation>
+    </message>
+    <message>
+        <source>What a drag moves: one point, or all corners, edge or inner points (Shift)</source>
+        <translation>Was ein Ziehen bewegt: einen Punkt oder alle Eck-, Rand- oder inneren Punkte (Umschalt)</translation>
+    </message>
+    <message>
+        <source>Press Bend first.</source>
+        <translation>Drücken Sie zuerst „Biegen“.</translation>
+    </message>
+    <message>
+        <source>Make the bent surface the plane again</source>
+        <translation>Aus der gebogenen Fläche wieder die Ebene machen</translation>
+    </message>
+    <message>
+        <source>The plane is flat.</source>
+        <translation>Die Ebene ist eben.</translation>
     </message>
 </context>
 <context>

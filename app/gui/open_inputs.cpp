@@ -96,13 +96,6 @@ OpenedCase openCaseFile(const fs::path& path) {
   OpenedCase opened;
   opened.file = std::make_shared<CaseFile>(CaseFile::open(path));
   opened.content = opened.file->load();
-  // A bent plane must never be seen as a flat one.
-  const auto bent = [](const std::vector<ResectionPlan>& plans) { return std::any_of(plans.begin(), plans.end(), hasBends); };
-  const std::vector<PlanStep> history = opened.file->history();
-  if (bent(opened.content.plans) ||
-      std::any_of(history.begin(), history.end(), [&](const PlanStep& step) { return bent(step.after); })) {
-    throw InputError(path.string() + " holds a bent plane, which the window does not draw yet; use glisson-cli plan and export.");
-  }
   std::string& ct = opened.content.ctSource;
   if (!ct.empty() && ct != kSampleSource && fs::exists(ct) && !opened.file->ctUnchanged()) {
     // another patient's CT on the same grid would look right [hazard H2]

@@ -11,8 +11,6 @@ namespace {
 
 constexpr auto kRows = std::to_array<SentenceRow>({
     {"ffs", QT_TRANSLATE_NOOP("Sentence", "%1 and %2 both hold %3; open one of them at a time.")},
-    {"",
-     QT_TRANSLATE_NOOP("Sentence", "%1 holds a bent plane, which the window does not draw yet; use glisson-cli plan and export.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "a case")},
     {"", QT_TRANSLATE_NOOP("Sentence", "a CT")},
     {"", QT_TRANSLATE_NOOP("Sentence", "a segmentation")},
