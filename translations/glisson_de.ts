@@ -1864,10 +1864,6 @@
         <translation>der Verlauf lässt sich nicht lesen</translation>
     </message>
     <message>
-        <source>The plan holds a number that is not finite or a normal that is not of unit length; place the plane again.</source>
-        <translation>Der Plan enthält eine Zahl, die nicht endlich ist, oder eine Normale, die nicht die Länge eins hat; setzen Sie die Ebene neu.</translation>
-    </message>
-    <message>
         <source>%1 cannot be written because the disk is full; free some space, the last saved state is intact.</source>
         <translation>%1 lässt sich nicht schreiben, weil die Platte voll ist; schaffen Sie Platz, der zuletzt gespeicherte Stand ist unversehrt.</translation>
     </message>
@@ -2543,6 +2539,58 @@
         <source>its territories cannot be read</source>
         <translation>seine Territorien sind nicht lesbar</translation>
     </message>
+    <message>
+        <source>The plan holds a number that is not finite, a normal that is not of unit length or a bend that is none; place the plane again.</source>
+        <translation>Der Plan enthält eine Zahl, die nicht endlich ist, eine Normale, die nicht die Länge eins hat, oder eine Biegung, die keine ist; setzen Sie die Ebene neu.</translation>
+    </message>
+    <message>
+        <source>bend plane %1 of %2</source>
+        <translation>Ebene %1 von %2 biegen</translation>
+    </message>
+    <message>
+        <source>bend plane %1</source>
+        <translation>Ebene %1 biegen</translation>
+    </message>
+    <message>
+        <source>bend plane</source>
+        <translation>Ebene biegen</translation>
+    </message>
+    <message>
+        <source>flatten plane %1 of %2</source>
+        <translation>Ebene %1 von %2 ebnen</translation>
+    </message>
+    <message>
+        <source>flatten plane %1</source>
+        <translation>Ebene %1 ebnen</translation>
+    </message>
+    <message>
+        <source>flatten plane</source>
+        <translation>Ebene ebnen</translation>
+    </message>
+    <message>
+        <source>The plane has no bend; bend it first.</source>
+        <translation>Die Ebene hat keine Biegung; biegen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>The plan has a bent plane, whose sides are no convex parts; flatten it first.</source>
+        <translation>Der Plan hat eine gebogene Ebene, deren Seiten keine konvexen Teile sind; ebnen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>A bend needs an axis within the plane, a half size of 10 to 1000 mm and 16 heights of at most 1000 mm; bend the plane again.</source>
+        <translation>Eine Biegung braucht eine Achse in der Ebene, eine halbe Größe von 10 bis 1000 mm und 16 Höhen von höchstens 1000 mm; biegen Sie die Ebene neu.</translation>
+    </message>
+    <message>
+        <source>a plane&apos;s bend has not 16 heights</source>
+        <translation>die Biegung einer Ebene hat nicht 16 Höhen</translation>
+    </message>
+    <message>
+        <source>Plane %1 of %2 is bent in %3 only.</source>
+        <translation>Ebene %1 von %2 ist nur in %3 gebogen.</translation>
+    </message>
+    <message>
+        <source>Plane %1 of %2 is bent in another way in %3 than in %4.</source>
+        <translation>Ebene %1 von %2 ist in %3 anders gebogen als in %4.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -2824,6 +2872,10 @@
     <message>
         <source>born %1</source>
         <translation>geb. %1</translation>
+    </message>
+    <message>
+        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, control points mm above the plane row by row: %4.</source>
+        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, Kontrollpunkte in mm über der Ebene, Reihe für Reihe: %4.</translation>
     </message>
 </context>
 <context>
@@ -4136,6 +4188,42 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Place a plane first.</source>
         <translation>Setzen Sie zuerst eine Ebene.</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
+        <source>one point</source>
+        <translation>ein Punkt</translation>
+    </message>
+    <message>
+        <source>its group</source>
+        <translation>seine Gruppe</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Eben</translation>
+    </message>
+    <message>
+        <source>Show 16 control points and drag them along the normal: the plane becomes a Bezier surface</source>
+        <translation>16 Kontrollpunkte zeigen und entlang der Normale ziehen: Die Ebene wird eine Bézierfläche</translation>
+    </message>
+    <message>
+        <source>What a drag moves: one point, or all corners, edge or inner points (Shift)</source>
+        <translation>Was ein Ziehen bewegt: einen Punkt oder alle Eck-, Rand- oder inneren Punkte (Umschalt)</translation>
+    </message>
+    <message>
+        <source>Press Bend first.</source>
+        <translation>Drücken Sie zuerst „Biegen“.</translation>
+    </message>
+    <message>
+        <source>Make the bent surface the plane again</source>
+        <translation>Aus der gebogenen Fläche wieder die Ebene machen</translation>
+    </message>
+    <message>
+        <source>The plane is flat.</source>
+        <translation>Die Ebene ist eben.</translation>
     </message>
 </context>
 <context>

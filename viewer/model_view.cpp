@@ -72,6 +72,10 @@ void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
   if (plan == d.plan && choice == d.choice) {
     return;
   }
+  if (choice != d.choice) {
+    d.hoveredPoint.reset();
+    d.keyedPoint.reset();
+  }
   const bool redraw = shapeOf(plan) != shapeOf(d.plan) || choice != d.choice;
   d.plan = std::move(plan);
   d.choice = choice;
@@ -85,6 +89,7 @@ void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
   d.measureActors.setMeasures(d.plan.measures);
   if (!d.plane) {
     d.drag.reset();
+    d.bendDrag.reset();
     d.hovered.reset();
     d.resectogram->setMap(std::nullopt, {});
   }
@@ -101,7 +106,15 @@ void ModelView::setHandlesShown(bool shown) {
   requestRender();
 }
 
-void ModelView::setPlane(const std::optional<HalfSpace>& plane) {
+void ModelView::setBending(bool shown, bool group) {
+  impl_->bending = shown;
+  impl_->bendGroup = group;
+  impl_->hoveredPoint.reset();
+  impl_->keyedPoint.reset();
+  requestRender();
+}
+
+void ModelView::setPlane(const std::optional<ResectionPlane>& plane) {
   ResectionPlan plan;
   if (plane && impl_->plane) {
     plan = impl_->plan;
@@ -112,7 +125,7 @@ void ModelView::setPlane(const std::optional<HalfSpace>& plane) {
   setPlan(std::move(plan), plane && impl_->plane ? impl_->choice : PlaneChoice{});
 }
 
-std::optional<HalfSpace> ModelView::plane() const { return impl_->plane; }
+std::optional<ResectionPlane> ModelView::plane() const { return impl_->plane; }
 
 void ModelView::resizeGL(int width, int height) {
   VtkWidget::resizeGL(width, height);
@@ -264,17 +277,29 @@ void ModelView::mousePressEvent(QMouseEvent* event) {
     }
     return;
   }
-  if (event->button() == Qt::LeftButton && d.plane && d.handlesShown && event->modifiers() == Qt::NoModifier) {
+  const bool shift = event->modifiers() == Qt::ShiftModifier;
+  if (event->button() == Qt::LeftButton && d.canBend() && (shift || event->modifiers() == Qt::NoModifier)) {
     const Pixel mouse(event->position().x(), event->position().y());
-    const HandleLayout layout = *handles();
-    if (const auto handle = handleAt(layout, camera(), mouse)) {
-      d.drag.emplace(*handle, *d.plane, layout, camera(), mouse);
+    if (const auto point = controlPointAt(*d.plane, camera(), mouse)) {
+      d.bendDrag.emplace(*d.plane, *point, d.bendGroup || shift, camera(), mouse);
+      d.keyedPoint = point;
       event->accept();
       emit planeDragStarted();
       return;
     }
   }
-  if (!d.drag) {
+  if (event->button() == Qt::LeftButton && d.plane && d.handlesShown && event->modifiers() == Qt::NoModifier) {
+    const Pixel mouse(event->position().x(), event->position().y());
+    const HandleLayout layout = *handles();
+    if (const auto handle = d.planeHandleAt(mouse)) {
+      d.drag.emplace(*handle, *d.plane, layout, camera(), mouse);
+      d.dragStart = *d.plane;
+      event->accept();
+      emit planeDragStarted();
+      return;
+    }
+  }
+  if (!d.drag && !d.bendDrag) {
     VtkWidget::mousePressEvent(event);
   }
 }
@@ -290,18 +315,20 @@ void ModelView::mouseMoveEvent(QMouseEvent* event) {
     showPick();
     return;
   }
-  if (d.drag) {
-    const HalfSpace moved = d.drag->planeAt(mouse);
+  if (d.drag || d.bendDrag) {
+    const ResectionPlane moved = d.drag ? movedTo(d.dragStart, d.drag->planeAt(mouse)) : d.bendDrag->planeAt(mouse);
     setPlane(moved);
     event->accept();
     emit planeDragged(moved);
     return;
   }
   if (d.plane && d.handlesShown && event->buttons() == Qt::NoButton) {
-    const auto handle = handleAt(*handles(), camera(), mouse);
-    if (handle != d.hovered) {
+    const auto point = d.canBend() ? controlPointAt(*d.plane, camera(), mouse) : std::nullopt;
+    const auto handle = point ? std::nullopt : d.planeHandleAt(mouse);
+    if (handle != d.hovered || point != d.hoveredPoint) {
       d.hovered = handle;
-      setCursor(handle ? Qt::PointingHandCursor : Qt::ArrowCursor);
+      d.hoveredPoint = point;
+      setCursor(handle || point ? Qt::PointingHandCursor : Qt::ArrowCursor);
       requestRender();
     }
   }
@@ -323,7 +350,7 @@ void ModelView::mouseReleaseEvent(QMouseEvent* event) {
     }
     return;
   }
-  if (!d.drag) {
+  if (!d.drag && !d.bendDrag) {
     VtkWidget::mouseReleaseEvent(event);
     return;
   }
@@ -335,15 +362,16 @@ void ModelView::mouseReleaseEvent(QMouseEvent* event) {
 
 void ModelView::mouseDoubleClickEvent(QMouseEvent* event) {
   const Pixel mouse(event->position().x(), event->position().y());
-  if (event->button() == Qt::LeftButton && !picking() && !(impl_->plane && handleAt(*handles(), camera(), mouse))) {
+  if (event->button() == Qt::LeftButton && !picking() && !(impl_->plane && impl_->planeHandleAt(mouse))) {
     event->accept();
     emit maximiseRequested();
   }
 }
 
 void ModelView::leaveEvent(QEvent* event) {
-  if (impl_->hovered && !impl_->drag) {
+  if ((impl_->hovered || impl_->hoveredPoint) && !impl_->drag && !impl_->bendDrag) {
     impl_->hovered.reset();
+    impl_->hoveredPoint.reset();
     requestRender();
   }
   VtkWidget::leaveEvent(event);
@@ -358,7 +386,7 @@ void ModelView::changeEvent(QEvent* event) {
   VtkWidget::changeEvent(event);
 }
 
-void ModelView::stepPlane(const HalfSpace& to) {
+void ModelView::stepPlane(const ResectionPlane& to) {
   emit planeDragStarted();
   setPlane(to);
   emit planeDragged(to);
@@ -367,20 +395,24 @@ void ModelView::stepPlane(const HalfSpace& to) {
 
 bool ModelView::movePlaneByKey(const QKeyEvent& event) {
   Impl& d = *impl_;
-  if (!d.plane || !d.handlesShown || d.drag) {
+  if (!d.plane || !d.handlesShown || d.drag || d.bendDrag) {
     return false;
   }
   const bool control = event.modifiers().testFlag(Qt::ControlModifier);
   const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
   const double mm = control ? 5.0 : (shift && event.key() != Qt::Key_Plus ? 0.1 : 1.0);
+  const auto along = [&](double by) {
+    stepPlane(d.canBend() && d.keyedPoint ? lifted(*d.plane, *d.keyedPoint, d.bendGroup, by)
+                                          : movedTo(*d.plane, movedAlongNormal(*d.plane, by)));
+  };
   switch (event.key()) {
     case Qt::Key_PageUp:
     case Qt::Key_Plus:
-      stepPlane(movedAlongNormal(*d.plane, mm));
+      along(mm);
       return true;
     case Qt::Key_PageDown:
     case Qt::Key_Minus:
-      stepPlane(movedAlongNormal(*d.plane, -mm));
+      along(-mm);
       return true;
     default:
       break;
@@ -398,16 +430,16 @@ bool ModelView::movePlaneByKey(const QKeyEvent& event) {
   const double angle = (shift ? 5.0 : 1.0) * kDegree;
   switch (event.key()) {
     case Qt::Key_Left:
-      stepPlane(turned(about, upright, angle));
+      stepPlane(movedTo(*d.plane, turned(about, upright, angle)));
       return true;
     case Qt::Key_Right:
-      stepPlane(turned(about, upright, -angle));
+      stepPlane(movedTo(*d.plane, turned(about, upright, -angle)));
       return true;
     case Qt::Key_Up:
-      stepPlane(turned(about, n.cross(upright), angle));
+      stepPlane(movedTo(*d.plane, turned(about, n.cross(upright), angle)));
       return true;
     case Qt::Key_Down:
-      stepPlane(turned(about, n.cross(upright), -angle));
+      stepPlane(movedTo(*d.plane, turned(about, n.cross(upright), -angle)));
       return true;
     default:
       return false;
@@ -419,8 +451,8 @@ void ModelView::keyPressEvent(QKeyEvent* event) {
   if (d.pick && event->key() == Qt::Key_Escape) {
     return cancelPick();
   }
-  if (d.drag && event->key() == Qt::Key_Escape) {
-    const HalfSpace start = d.drag->start();
+  if ((d.drag || d.bendDrag) && event->key() == Qt::Key_Escape) {
+    const ResectionPlane start = d.drag ? d.dragStart : d.bendDrag->start();
     setPlane(start);
     emit planeDragged(start);
     d.endDrag(start);

@@ -2,7 +2,8 @@
 // Purpose: the 3D view: the combined model, the resection plane with its handles, orientation cube and letters. Frame: mm LPS.
 // Mouse: left rotates, middle pans, right or wheel zooms; 1/3/7 anterior/left/superior. Handles of the plane take the left button
 // first; Escape during a drag takes it back. Keys for the plane: PageUp/PageDown or +/- move it 1 mm along its normal (Shift 0.1
-// mm, Ctrl 5 mm), Ctrl+arrows tilt it by 1 degree about its centre (with Shift 5 degrees).
+// mm, Ctrl 5 mm), Ctrl+arrows tilt it by 1 degree about its centre (with Shift 5 degrees). While a bent plane's control points are
+// shown they take the left button (with Shift: their group moves), and the keys along the normal move the one dragged last.
 
 #include <QImage>
 #include <memory>
@@ -43,9 +44,11 @@ class ModelView : public VtkWidget {
   void setPlan(ResectionPlan plan, const PlaneChoice& choice = {});
   /// Without handles planes are only looked at. With them is the default.
   void setHandlesShown(bool shown);
-  /// Moves the chosen plane; makes a plan of one plane where there is none; nothing: an empty plan.
-  void setPlane(const std::optional<HalfSpace>& plane);
-  [[nodiscard]] std::optional<HalfSpace> plane() const;
+  /// Puts the chosen plane there, bent or not; makes a plan of one plane where there is none; nothing: an empty plan.
+  void setPlane(const std::optional<ResectionPlane>& plane);
+  [[nodiscard]] std::optional<ResectionPlane> plane() const;
+  /// Shows the control points of the chosen plane where it is bent; `group`: they move with their group. Not shown is the default.
+  void setBending(bool shown, bool group);
 
   /// What the resection surface is coloured by; null: it stays plain.
   void setTumours(std::shared_ptr<const TumourDistance> tumours);
@@ -82,8 +85,8 @@ class ModelView : public VtkWidget {
  signals:
   /// A handle was grasped, moved (each mouse move), released. From grasp to release is one undo step.
   void planeDragStarted();
-  void planeDragged(const glisson::HalfSpace& plane);
-  void planeDragFinished(const glisson::HalfSpace& plane);
+  void planeDragged(const glisson::ResectionPlane& plane);
+  void planeDragFinished(const glisson::ResectionPlane& plane);
   /// By the user or by a standard view, once a frame.
   void cameraMoved();
   void picked(const glisson::Pick& pick);
@@ -102,7 +105,7 @@ class ModelView : public VtkWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  void stepPlane(const HalfSpace& to);
+  void stepPlane(const ResectionPlane& to);
   void showPick();
   void endPick();
   [[nodiscard]] bool movePlaneByKey(const QKeyEvent& event);

@@ -101,7 +101,7 @@ void ModelView::Impl::showPlan() {
 
 ResectionMap ModelView::Impl::mapOf(std::size_t resection, std::size_t index, bool coarse) const {
   ResectionMap map;
-  const std::vector<HalfSpace>& planes = plan.resections[resection].planes;
+  const std::vector<ResectionPlane>& planes = plan.resections[resection].planes;
   map.plane = planes[index];
   map.safetyMarginMm = plan.safetyMarginMm;
   map.within = planes;
@@ -116,8 +116,9 @@ ResectionMap ModelView::Impl::mapOf(std::size_t resection, std::size_t index, bo
     return map;
   }
   if (tumours != nullptr && !tumours->empty()) {
+    const std::optional<BentSurface> bent = map.plane.bend ? std::optional(BentSurface(map.plane)) : std::nullopt;
     map.margins = marginMap(*tumours, gridOver(map.outline, map.plane, coarse ? kCoarseStepMm : kFineStepMm),
-                            std::max(kFarthestMm, plan.safetyMarginMm + kIsoLineMm));
+                            std::max(kFarthestMm, plan.safetyMarginMm + kIsoLineMm), bent ? &*bent : nullptr);
   }
   for (const Structure& structure : model->structures) {
     const auto actors = isVessel(structure.kind) ? structures.find(structure.id) : structures.end();
@@ -147,7 +148,7 @@ void ModelView::Impl::updateSection(bool coarse) {
   section.clear();
   std::size_t drawn = 0;
   for (std::size_t r = 0; r < plan.resections.size(); ++r) {
-    const std::vector<HalfSpace>& planes = plan.resections[r].planes;
+    const std::vector<ResectionPlane>& planes = plan.resections[r].planes;
     for (std::size_t p = 0; p < planes.size(); ++p, ++drawn) {
       ResectionMap map = mapOf(r, p, coarse);
       const QImage margins =
@@ -196,7 +197,10 @@ void ModelView::Impl::prepareFrame(FrameQuality quality) {
   planeActors.setVisible(plane.has_value() && handlesShown);
   if (plane) {
     updateSection(quality == FrameQuality::Moving);
-    planeActors.placeHandles(*plane, layout(), drag ? std::optional(drag->handle()) : hovered);
+    planeActors.placeHandles(*plane, layout(), drag ? std::optional(drag->handle()) : hovered, !canBend());
+    planeActors.placeControlPoints(canBend() ? &*plane : nullptr, highlightedPoints(), layout().mmPerPixel);
+  } else {
+    planeActors.placeControlPoints(nullptr, {}, 1);
   }
   if (const Pose now = view->pose(); now != told) {
     told = now;
@@ -249,8 +253,27 @@ void ModelView::Impl::fitAgain() {
   }
 }
 
-void ModelView::Impl::endDrag(const HalfSpace& at) {
+std::optional<PlaneHandle> ModelView::Impl::planeHandleAt(const Pixel& mouse) const {
+  const std::optional<PlaneHandle> handle = handleAt(*view->handles(), view->camera(), mouse);
+  // While the plane is bent it is not tilted: those handles lie among the control points.
+  const bool tilts = handle && *handle != PlaneHandle::Centre && *handle != PlaneHandle::Normal;
+  return canBend() && tilts ? std::nullopt : handle;
+}
+
+std::array<bool, 16> ModelView::Impl::highlightedPoints() const {
+  std::array<bool, 16> members{};
+  const std::optional<std::size_t> point = bendDrag ? std::optional(bendDrag->point()) : (hoveredPoint ? hoveredPoint : keyedPoint);
+  if (point && (bendDrag ? bendDrag->group() : bendGroup)) {
+    members = groupOf(*point);
+  } else if (point) {
+    members[*point] = true;
+  }
+  return members;
+}
+
+void ModelView::Impl::endDrag(const ResectionPlane& at) {
   drag.reset();
+  bendDrag.reset();
   sectionStale = true;
   emit view->planeDragFinished(at);
   view->requestRender();

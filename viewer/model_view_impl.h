@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/bend_handles.h"
 #include "viewer/measure_actors.h"
 #include "viewer/model_view.h"
 #include "viewer/pick_overlay.h"
@@ -32,7 +33,7 @@ struct ModelView::Impl {
   std::string parenchyma;  ///< id of the structure the plane cuts; empty where there is none yet
   ResectionPlan plan;
   PlaneChoice choice;
-  std::optional<HalfSpace> plane;  ///< the one worked on, with handles; it stands in `plan` too
+  std::optional<ResectionPlane> plane;  ///< the one worked on, with handles; it stands in `plan` too
   PlaneActors planeActors;
   MeasureActors measureActors;
   std::vector<std::unique_ptr<SectionActors>> sections;  ///< one for each plane of the plan, in its order
@@ -43,6 +44,12 @@ struct ModelView::Impl {
   bool sectionIsCoarse = false;
   Vec3 anchor = Vec3::Zero();
   std::optional<PlaneDrag> drag;
+  ResectionPlane dragStart;
+  bool bending = false;    ///< control points are shown where the plane is bent
+  bool bendGroup = false;  ///< they move with their group
+  std::optional<BendDrag> bendDrag;
+  std::optional<std::size_t> hoveredPoint;
+  std::optional<std::size_t> keyedPoint;  ///< the last one dragged: the one that keys move
   std::optional<PlaneHandle> hovered;
   bool handlesShown = true;
   std::optional<PickTool> pick;
@@ -70,7 +77,10 @@ struct ModelView::Impl {
   /// Places it again along the last direction, unless the user has moved it since.
   void fitAgain();
   [[nodiscard]] HandleLayout layout() const { return layoutHandles(*plane, anchor, section, view->camera()); }
-  void endDrag(const HalfSpace& at);
+  [[nodiscard]] bool canBend() const { return bending && handlesShown && plane && plane->bend; }
+  [[nodiscard]] std::optional<PlaneHandle> planeHandleAt(const Pixel& mouse) const;
+  [[nodiscard]] std::array<bool, 16> highlightedPoints() const;
+  void endDrag(const ResectionPlane& at);
 };
 
 }  // namespace glisson

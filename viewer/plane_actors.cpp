@@ -3,9 +3,12 @@
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkBillboardTextActor3D.h>
+#include <vtkCellArray.h>
 #include <vtkLineSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -25,7 +28,9 @@ constexpr Colour kHandle{0.95, 0.75, 0.25};
 constexpr Colour kHighlight{1.0, 1.0, 0.85};
 constexpr Colour kTooShort{1.0, 0.1, 0.1};
 constexpr Colour kEnough{1.0, 1.0, 1.0};
+constexpr Colour kControl{0.35, 0.85, 0.95};  ///< control points of a bend: told from the plane's own handles
 constexpr double kTiltScale = 0.75;
+constexpr double kControlScale = 0.6;
 
 void setColour(vtkActor* actor, const Colour& colour) { actor->GetProperty()->SetColor(colour.r, colour.g, colour.b); }
 
@@ -43,6 +48,10 @@ struct PlaneActors::Impl {
   vtkNew<vtkPolyDataMapper> lineMapper;
   vtkNew<vtkActor> lineActor;
   bool hasLine = false;
+  std::array<vtkNew<vtkActor>, 16> controlActors;
+  vtkNew<vtkPolyData> net;
+  vtkNew<vtkPolyDataMapper> netMapper;
+  vtkNew<vtkActor> netActor;
 
   [[nodiscard]] std::vector<vtkProp*> overlayProps() const {
     std::vector<vtkProp*> props{centreActor, arrowActor, label};
@@ -78,6 +87,18 @@ PlaneActors::PlaneActors(vtkRenderer* overlay) : impl_(std::make_unique<Impl>())
   for (auto& tilt : d.tiltActors) {
     tilt->SetMapper(d.sphereMapper);
   }
+  d.netMapper->SetInputData(d.net);
+  d.netActor->SetMapper(d.netMapper);
+  d.netActor->GetProperty()->LightingOff();
+  setColour(d.netActor, kControl);
+  d.netActor->GetProperty()->SetOpacity(0.6);
+  d.netActor->SetVisibility(false);
+  overlay->AddActor(d.netActor);
+  for (auto& control : d.controlActors) {
+    control->SetMapper(d.sphereMapper);
+    control->SetVisibility(false);
+    overlay->AddActor(control);
+  }
   vtkTextProperty* text = d.label->GetTextProperty();
   text->SetFontSize(14);  // at 72 dpi; the render window's DPI follows the screen
   text->SetColor(1, 1, 1);
@@ -92,6 +113,10 @@ PlaneActors::PlaneActors(vtkRenderer* overlay) : impl_(std::make_unique<Impl>())
 
 PlaneActors::~PlaneActors() {
   impl_->overlay->RemoveActor(impl_->lineActor);
+  impl_->overlay->RemoveActor(impl_->netActor);
+  for (const auto& control : impl_->controlActors) {
+    impl_->overlay->RemoveActor(control);
+  }
   for (vtkProp* prop : impl_->overlayProps()) {
     impl_->overlay->RemoveViewProp(prop);
   }
@@ -104,7 +129,8 @@ void PlaneActors::setVisible(bool visible) {
   impl_->lineActor->SetVisibility(visible && impl_->hasLine);
 }
 
-void PlaneActors::placeHandles(const HalfSpace& plane, const HandleLayout& layout, std::optional<PlaneHandle> highlighted) {
+void PlaneActors::placeHandles(const HalfSpace& plane, const HandleLayout& layout, std::optional<PlaneHandle> highlighted,
+                               bool tilts) {
   Impl& d = *impl_;
   const auto colourOf = [&](PlaneHandle handle) { return highlighted == handle ? kHighlight : kHandle; };
   const double radius = kHandlePixels * layout.mmPerPixel;
@@ -115,7 +141,7 @@ void PlaneActors::placeHandles(const HalfSpace& plane, const HandleLayout& layou
     const Vec3& at = layout.tilts[n];
     d.tiltActors[n]->SetPosition(at.x(), at.y(), at.z());
     d.tiltActors[n]->SetScale(kTiltScale * radius);
-    d.tiltActors[n]->SetVisibility(layout.tiltShown[n]);
+    d.tiltActors[n]->SetVisibility(tilts && layout.tiltShown[n]);
     setColour(d.tiltActors[n], colourOf(static_cast<PlaneHandle>(static_cast<int>(PlaneHandle::TiltRight) + static_cast<int>(n))));
   }
 
@@ -132,6 +158,36 @@ void PlaneActors::placeHandles(const HalfSpace& plane, const HandleLayout& layou
   d.arrowActor->SetUserMatrix(pose);
   setColour(d.arrowActor, colourOf(PlaneHandle::Normal));
   d.label->SetPosition(layout.label.x(), layout.label.y(), layout.label.z());
+}
+
+void PlaneActors::placeControlPoints(const ResectionPlane* plane, const std::array<bool, 16>& highlighted, double mmPerPixel) {
+  Impl& d = *impl_;
+  d.netActor->SetVisibility(plane != nullptr);
+  for (std::size_t n = 0; n < 16; ++n) {
+    d.controlActors[n]->SetVisibility(plane != nullptr);
+  }
+  if (plane == nullptr) {
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  for (std::size_t n = 0; n < 16; ++n) {
+    const Vec3 at = controlPoint(*plane, n);
+    points->InsertNextPoint(at.data());
+    d.controlActors[n]->SetPosition(at.x(), at.y(), at.z());
+    d.controlActors[n]->SetScale(kControlScale * kHandlePixels * mmPerPixel);
+    setColour(d.controlActors[n], highlighted[n] ? kHighlight : kControl);
+    const auto id = static_cast<vtkIdType>(n);
+    if (n % 4 < 3) {
+      lines->InsertNextCell({id, id + 1});
+    }
+    if (n / 4 < 3) {
+      lines->InsertNextCell({id, id + 4});
+    }
+  }
+  d.net->SetPoints(points);
+  d.net->SetLines(lines);
+  d.net->Modified();
 }
 
 void PlaneActors::setMarginLine(const std::optional<std::pair<Vec3, Vec3>>& line, bool tooShort) {

@@ -94,6 +94,18 @@ std::optional<PlaneHandle> handleAt(const HandleLayout& layout, const ViewCamera
   return best;
 }
 
+double alongNormal(const ViewCamera& camera, const Vec3& anchor, const Vec3& normal, const Pixel& mouse, const Pixel& grasp) {
+  const Ray sight = camera.rayAt(mouse);
+  const double cosine = sight.direction.dot(normal);
+  if (std::abs(camera.forward.dot(normal)) > kEndOnCosine) {
+    const double sign = camera.forward.dot(normal) > 0 ? 1.0 : -1.0;
+    return sign * (grasp.y() - mouse.y()) * camera.mmPerPixel(anchor);
+  }
+  // Both directions are unit.
+  const Vec3 between = sight.origin - anchor;
+  return (between.dot(normal) - cosine * between.dot(sight.direction)) / (1.0 - cosine * cosine);
+}
+
 PlaneDrag::PlaneDrag(PlaneHandle handle, const HalfSpace& plane, const HandleLayout& layout, const ViewCamera& camera,
                      const Pixel& mouse)
     : handle_(handle), start_(plane), anchor_(layout.anchor), camera_(camera), grasp_(mouse) {
@@ -104,23 +116,10 @@ PlaneDrag::PlaneDrag(PlaneHandle handle, const HalfSpace& plane, const HandleLay
     // The mouse rarely meets the handle's centre: keep the offset, so that nothing jumps.
     grasp_ = camera_.toPixel(layout.tilts[n]) - mouse;
   } else if (handle == PlaneHandle::Normal) {
-    graspAlong_ = alongNormal(mouse);
+    graspAlong_ = alongNormal(camera_, anchor_, start_.normal, mouse, grasp_);
   } else {
     graspPoint_ = inPicture(mouse);
   }
-}
-
-double PlaneDrag::alongNormal(const Pixel& mouse) const {
-  const Ray sight = camera_.rayAt(mouse);
-  const double cosine = sight.direction.dot(start_.normal);
-  if (std::abs(camera_.forward.dot(start_.normal)) > kEndOnCosine) {
-    // Seen end-on: up on the screen is away from the viewer.
-    const double sign = camera_.forward.dot(start_.normal) > 0 ? 1.0 : -1.0;
-    return sign * (grasp_.y() - mouse.y()) * camera_.mmPerPixel(anchor_);
-  }
-  // The point of the axis nearest to the line of sight (both directions are unit).
-  const Vec3 between = sight.origin - anchor_;
-  return (between.dot(start_.normal) - cosine * between.dot(sight.direction)) / (1.0 - cosine * cosine);
 }
 
 Vec3 PlaneDrag::inPicture(const Pixel& mouse) const {
@@ -144,7 +143,8 @@ Vec3 PlaneDrag::onSphere(const Pixel& mouse) const {
 
 HalfSpace PlaneDrag::planeAt(const Pixel& mouse) const {
   if (handle_ == PlaneHandle::Normal) {
-    return {start_.origin + (alongNormal(mouse) - graspAlong_) * start_.normal, start_.normal};
+    return {start_.origin + (alongNormal(camera_, anchor_, start_.normal, mouse, grasp_) - graspAlong_) * start_.normal,
+            start_.normal};
   }
   if (handle_ == PlaneHandle::Centre) {
     return {anchor_ + (inPicture(mouse) - graspPoint_), start_.normal};

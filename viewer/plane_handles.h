@@ -36,6 +36,10 @@ HandleLayout layoutHandles(const HalfSpace& plane, const Vec3& anchor, const std
 /// The handle under the mouse, or nothing.
 std::optional<PlaneHandle> handleAt(const HandleLayout& layout, const ViewCamera& camera, const Pixel& mouse);
 
+/// How far along `normal`, a line through `anchor`, the mouse is, mm: the point of the line nearest to the line of sight. Seen
+/// end-on, up on the screen from `grasp` is away from the viewer.
+double alongNormal(const ViewCamera& camera, const Vec3& anchor, const Vec3& normal, const Pixel& mouse, const Pixel& grasp);
+
 /// One drag from grasp to release. The camera does not move meanwhile.
 class PlaneDrag {
  public:
@@ -49,7 +53,6 @@ class PlaneDrag {
   [[nodiscard]] Vec3 anchorFor(const HalfSpace& plane) const;
 
  private:
-  [[nodiscard]] double alongNormal(const Pixel& mouse) const;
   [[nodiscard]] Vec3 inPicture(const Pixel& mouse) const;
   [[nodiscard]] Vec3 onSphere(const Pixel& mouse) const;
 

@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
+
+#include "reconstruction/mesh/planar_fill.h"
 
 namespace glisson {
 
@@ -22,10 +25,11 @@ struct SectionPoint {
 
 class SectionBuilder {
  public:
-  SectionBuilder(const SurfaceMesh& mesh, const HalfSpace& plane) : mesh_(mesh) {
+  SectionBuilder(const SurfaceMesh& mesh, const ResectionPlane& plane) : mesh_(mesh) {
     distance_.reserve(mesh.vertices.size());
+    const std::optional<BentSurface> bent = plane.bend ? std::optional(BentSurface(plane)) : std::nullopt;
     for (const Vec3& vertex : mesh.vertices) {
-      distance_.push_back(plane.normal.dot(vertex - plane.origin));
+      distance_.push_back(bent ? bent->above(vertex) : plane.normal.dot(vertex - plane.origin));
     }
   }
 
@@ -135,7 +139,7 @@ PlaneAxes axesOf(const Vec3& normal) {
   return {v.cross(normal), v};
 }
 
-std::vector<Loop> sectionLoops(const SurfaceMesh& mesh, const HalfSpace& plane) { return SectionBuilder(mesh, plane).loops(); }
+std::vector<Loop> sectionLoops(const SurfaceMesh& mesh, const ResectionPlane& plane) { return SectionBuilder(mesh, plane).loops(); }
 
 bool isInside(const std::vector<Loop>& loops, const HalfSpace& plane, const Vec3& point) {
   const PlaneAxes axes = axesOf(plane.normal);
@@ -173,6 +177,106 @@ std::vector<std::pair<Vec3, Vec3>> gridLines(const std::vector<Loop>& loops, con
     }
   }
   return lines;
+}
+
+std::vector<std::pair<Vec3, Vec3>> gridLines(const std::vector<Loop>& loops, const BentSurface& surface, double spacingMm) {
+  constexpr double kPieceMm = 2;
+  std::vector<std::pair<Vec3, Vec3>> pieces;
+  for (const auto& [from, to] : gridLines(loops, HalfSpace{surface.origin(), surface.normal()}, spacingMm)) {
+    const int count = std::max(1, static_cast<int>(std::ceil((to - from).norm() / kPieceMm)));
+    for (int n = 0; n < count; ++n) {
+      pieces.emplace_back(surface.foot(from + (to - from) * n / count), surface.foot(from + (to - from) * (n + 1) / count));
+    }
+  }
+  return pieces;
+}
+
+namespace {
+/// Of the loops' shadows: counter-clockwise outside, clockwise around holes.
+void orient(std::vector<std::vector<Point2>>& loops) {
+  for (std::size_t n = 0; n < loops.size(); ++n) {
+    std::size_t around = 0;
+    for (std::size_t m = 0; m < loops.size(); ++m) {
+      if (m != n) {
+        const std::vector<double> along = crossings({loops[m]}, loops[n].front().y(), false);
+        around += std::count_if(along.begin(), along.end(), [&](double u) { return u > loops[n].front().x(); }) % 2 == 1 ? 1 : 0;
+      }
+    }
+    double doubled = 0;
+    for (std::size_t k = 0; k < loops[n].size(); ++k) {
+      const Point2& a = loops[n][k];
+      const Point2& b = loops[n][(k + 1) % loops[n].size()];
+      doubled += a.x() * b.y() - a.y() * b.x();
+    }
+    if ((doubled > 0) != (around % 2 == 0)) {
+      std::reverse(loops[n].begin(), loops[n].end());
+    }
+  }
+}
+
+double distanceToSegment(const Point2& p, const Point2& a, const Point2& b) {
+  const Point2 along = b - a;
+  const double squared = along.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
+  return (p - a - t * along).norm();
+}
+}  // namespace
+
+SurfaceMesh filled(const std::vector<Loop>& loops, const BentSurface& surface, double stepMm) {
+  const HalfSpace plane{surface.origin(), surface.normal()};
+  const PlaneAxes axes = axesOf(plane.normal);
+  std::vector<std::vector<Point2>> flat = inPlane(loops, plane, axes);
+  for (auto& loop : flat) {
+    // Where the surface meets a vertex of the mesh, several edges have their crossing there, within rounding.
+    const auto same = [](const Point2& a, const Point2& b) { return (a - b).squaredNorm() < 1e-10; };
+    loop.erase(std::unique(loop.begin(), loop.end(), same), loop.end());
+    while (loop.size() > 1 && same(loop.front(), loop.back())) {
+      loop.pop_back();
+    }
+  }
+  std::erase_if(flat, [](const auto& loop) { return loop.size() < 3; });
+  orient(flat);
+  std::vector<Vec2> points;
+  std::vector<BorderEdge> border;
+  Eigen::AlignedBox2d box;
+  for (const auto& loop : flat) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    const auto count = static_cast<std::uint32_t>(loop.size());
+    for (std::uint32_t n = 0; n < count; ++n) {
+      points.push_back(loop[n]);
+      border.push_back({first + n, first + (n + 1) % count});
+      box.extend(loop[n]);
+    }
+  }
+  if (border.empty()) {
+    return {};
+  }
+  constexpr double kClear = 0.4;
+  for (double v = box.min().y() + 0.5 * stepMm; v < box.max().y(); v += stepMm) {
+    const std::vector<double> at = crossings(flat, v, false);
+    for (std::size_t c = 0; c + 1 < at.size(); c += 2) {
+      for (double u = std::ceil(at[c] / stepMm) * stepMm; u < at[c + 1]; u += stepMm) {
+        const Point2 p(u, v);
+        const bool clear = std::ranges::all_of(border, [&](const BorderEdge& edge) {
+          return std::abs(points[edge[0]].y() - v) > 3 * stepMm ||
+                 distanceToSegment(p, points[edge[0]], points[edge[1]]) > kClear * stepMm;
+        });
+        if (clear) {
+          points.push_back(p);
+        }
+      }
+    }
+  }
+  SurfaceMesh mesh;
+  const auto triangles = fillRegion(points, border);
+  if (!triangles) {
+    return mesh;
+  }
+  mesh.triangles = *triangles;
+  for (const Vec2& p : points) {
+    mesh.vertices.push_back(surface.foot(plane.origin + p.x() * axes.u + p.y() * axes.v));
+  }
+  return mesh;
 }
 
 Vec3 centreOf(const std::vector<Loop>& loops, const HalfSpace& plane) {

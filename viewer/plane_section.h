@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "reconstruction/mesh/cut.h"
+#include "planning/resection/bend.h"
 
 namespace glisson {
 
@@ -19,14 +19,22 @@ PlaneAxes axesOf(const Vec3& normal);
 
 using Loop = std::vector<Vec3>;  ///< closed: the last point is joined to the first
 
-/// The loops in which the plane crosses the mesh. On a mesh that is not closed, open ends are joined to each other.
-std::vector<Loop> sectionLoops(const SurfaceMesh& mesh, const HalfSpace& plane);
+/// The loops in which the plane, bent or not, crosses the mesh: their points lie on the mesh's edges. On a mesh that is not closed,
+/// open ends are joined to each other. What is asked of loops below is asked of their shadows in the plane, along its normal.
+std::vector<Loop> sectionLoops(const SurfaceMesh& mesh, const ResectionPlane& plane);
 
 /// Even-odd rule within the plane.
 bool isInside(const std::vector<Loop>& loops, const HalfSpace& plane, const Vec3& point);
 
 /// The parts of lines `spacingMm` apart, along both axes through the plane's origin, that lie inside the loops.
 std::vector<std::pair<Vec3, Vec3>> gridLines(const std::vector<Loop>& loops, const HalfSpace& plane, double spacingMm);
+
+/// The same over a bent plane: each line in pieces of at most 2 mm, on the surface.
+std::vector<std::pair<Vec3, Vec3>> gridLines(const std::vector<Loop>& loops, const BentSurface& surface, double spacingMm);
+
+/// The part of a bent surface inside the loops, as triangles some `stepMm` wide that face the resected side. Empty where the loops
+/// cross each other.
+SurfaceMesh filled(const std::vector<Loop>& loops, const BentSurface& surface, double stepMm);
 
 /// Centre of the area of the largest loop; the plane's origin where there is none.
 Vec3 centreOf(const std::vector<Loop>& loops, const HalfSpace& plane);

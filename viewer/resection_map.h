@@ -15,10 +15,10 @@
 namespace glisson {
 
 struct ResectionMap {
-  HalfSpace plane;
-  std::vector<Loop> outline;         ///< where it cuts the liver
-  std::vector<HalfSpace> within;     ///< the other planes of its resection: what lies outside of them is no resection surface
-  std::optional<MarginMap> margins;  ///< over the outline's rectangle; nothing where there is no tumour
+  ResectionPlane plane;
+  std::vector<Loop> outline;           ///< where it cuts the liver
+  std::vector<ResectionPlane> within;  ///< the other planes of its resection: what lies outside of them is no resection surface
+  std::optional<MarginMap> margins;    ///< over the outline's rectangle; nothing where there is no tumour
   double safetyMarginMm = 10;
   std::vector<std::pair<Rgb, Loop>> vessels;  ///< crossed inside the liver, each in its structure's colour
 };

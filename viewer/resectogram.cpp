@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 namespace glisson {
 
@@ -55,6 +56,35 @@ QPainterPath insideOf(const HalfSpace& bound, const PlaneGrid& grid) {
   path.addPolygon(QPolygonF(QList<QPointF>(kept.begin(), kept.end())));
   path.closeSubpath();
   return path;
+}
+
+/// The same where one of the two is bent: squares of a few mm whose surface points lie on the bound's inner side.
+QPainterPath insideOf(const ResectionPlane& bound, const ResectionPlane& plane, const PlaneGrid& grid) {
+  constexpr double kSquareMm = 1.5;
+  const BentSurface within = BentSurface(bound.bend ? bound : ResectionPlane(bound, flatBend(bound, kMostBendMm)));
+  const BentSurface surface = BentSurface(plane.bend ? plane : ResectionPlane(plane, flatBend(plane, kMostBendMm)));
+  const double width = grid.stepMm * (grid.columns - 1);
+  const double height = grid.stepMm * (grid.rows - 1);
+  QPainterPath path;
+  for (double y = 0; y < height; y += kSquareMm) {
+    double from = -1;
+    const auto end = [&](double x) {
+      if (from >= 0) {
+        path.addRect(QRectF(from, y, x - from, kSquareMm));
+      }
+      from = -1;
+    };
+    for (double x = 0; x < width; x += kSquareMm) {
+      const Vec3 middle = grid.origin + (x + 0.5 * kSquareMm) * grid.u + (y + 0.5 * kSquareMm) * grid.v;
+      if (within.above(surface.foot(middle)) < 0) {
+        end(x);
+      } else if (from < 0) {
+        from = x;
+      }
+    }
+    end(width);
+  }
+  return path.simplified();
 }
 
 }  // namespace
@@ -117,8 +147,10 @@ void Resectogram::drawMap(QPainter& painter, const QRectF& box) const {
   painter.translate(box.center().x() - 0.5 * scale * mmWide, box.center().y() + 0.5 * scale * mmHigh);
   painter.scale(scale, -scale);
   QPainterPath outline = pathOf(map_->outline, grid);
-  for (const HalfSpace& bound : map_->within) {
-    outline = outline.intersected(insideOf(bound, grid));
+  const bool curved =
+      map_->plane.bend || std::ranges::any_of(map_->within, [](const ResectionPlane& bound) { return bound.bend.has_value(); });
+  for (const ResectionPlane& bound : map_->within) {
+    outline = outline.intersected(curved ? insideOf(bound, map_->plane, grid) : insideOf(bound, grid));
   }
   painter.setClipPath(outline);
   painter.fillPath(outline, kPaper);

@@ -3,7 +3,9 @@
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkClipPolyData.h>
 #include <vtkContourTriangulator.h>
+#include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -32,6 +34,7 @@ constexpr Colour kFill{0.86, 0.89, 0.93};
 constexpr Colour kGrid{0.25, 0.28, 0.33};
 constexpr Colour kOutline{1.0, 1.0, 1.0};
 constexpr double kGridLiftMm = 0.2;  ///< the grid lies this far off the fill on both sides, else the two flicker
+constexpr double kFillStepMm = 3;    ///< of a bent surface's triangles
 constexpr double kFillOpacity = 0.6;
 constexpr double kWeakOpacity = 0.3;
 
@@ -59,6 +62,31 @@ void addLoop(vtkPoints* points, vtkCellArray* lines, const Loop& loop) {
     lines->InsertCellPoint(addPoint(points, point));
   }
   lines->InsertCellPoint(first);
+}
+
+/// Keeps what lies above the surface.
+void clip(vtkPolyData* data, const BentSurface& surface) {
+  if (data->GetPoints() == nullptr || data->GetNumberOfCells() == 0) {
+    return;
+  }
+  vtkNew<vtkDoubleArray> above;
+  above->SetName("above");
+  for (vtkIdType n = 0; n < data->GetNumberOfPoints(); ++n) {
+    Vec3 at;
+    data->GetPoint(n, at.data());
+    above->InsertNextValue(surface.above(at));
+  }
+  vtkNew<vtkPolyData> marked;
+  marked->ShallowCopy(data);
+  marked->GetPointData()->SetScalars(above);
+  vtkNew<vtkClipPolyData> clipper;
+  clipper->SetInputData(marked);
+  clipper->SetValue(0);
+  clipper->Update();
+  vtkPolyData* kept = clipper->GetOutput();
+  kept->GetPointData()->SetScalars(nullptr);
+  data->ShallowCopy(kept);
+  data->Modified();
 }
 
 /// RGBA, not premultiplied, from the bottom row up, as VTK wants it: the picture's row 0 is the grid's, so nothing is turned over.
@@ -130,27 +158,8 @@ void SectionActors::setSection(const ResectionMap& map, const QImage& margins) {
   impl_->outline.data->SetLines(lines);
   impl_->outline.data->Modified();
 
-  vtkNew<vtkContourTriangulator> triangulator;
-  triangulator->TriangulationErrorDisplayOff();
-  triangulator->SetInputData(impl_->outline.data);
-  triangulator->Update();
-  impl_->fill.data->SetPoints(triangulator->GetOutput()->GetPoints());
-  impl_->fill.data->SetPolys(triangulator->GetOutput()->GetPolys());
-  impl_->fill.data->Modified();
-
-  vtkNew<vtkPoints> gridPoints;
-  vtkNew<vtkCellArray> gridCells;
-  for (const auto& [from, to] : gridLines(map.outline, map.plane, kGridMm)) {
-    for (const double side : {-kGridLiftMm, kGridLiftMm}) {
-      const Vec3 lift = side * map.plane.normal;
-      gridCells->InsertNextCell(2);
-      gridCells->InsertCellPoint(addPoint(gridPoints, from + lift));
-      gridCells->InsertCellPoint(addPoint(gridPoints, to + lift));
-    }
-  }
-  impl_->grid.data->SetPoints(gridPoints);
-  impl_->grid.data->SetLines(gridCells);
-  impl_->grid.data->Modified();
+  setFill(map);
+  setGrid(map);
 
   vtkNew<vtkPoints> vesselPoints;
   vtkNew<vtkCellArray> vesselLines;
@@ -168,13 +177,60 @@ void SectionActors::setSection(const ResectionMap& map, const QImage& margins) {
   setMargins(map, margins);
   for (Drawable* part : impl_->all) {
     part->mapper->RemoveAllClippingPlanes();
-    for (const HalfSpace& bound : map.within) {
-      vtkNew<vtkPlane> clip;
-      clip->SetOrigin(bound.origin.data());
-      clip->SetNormal(bound.normal.data());
-      part->mapper->AddClippingPlane(clip);
+    for (const ResectionPlane& bound : map.within) {
+      if (bound.bend) {
+        clip(part->data, BentSurface(bound));
+        continue;
+      }
+      vtkNew<vtkPlane> plane;
+      plane->SetOrigin(bound.origin.data());
+      plane->SetNormal(bound.normal.data());
+      part->mapper->AddClippingPlane(plane);
     }
   }
+}
+
+void SectionActors::setFill(const ResectionMap& map) {
+  vtkPolyData* fill = impl_->fill.data;
+  const SurfaceMesh curved = map.plane.bend ? filled(map.outline, BentSurface(map.plane), kFillStepMm) : SurfaceMesh();
+  if (!curved.empty()) {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    for (const Vec3& v : curved.vertices) {
+      addPoint(points, v);
+    }
+    for (const Triangle& t : curved.triangles) {
+      cells->InsertNextCell({t[0], t[1], t[2]});
+    }
+    fill->SetPoints(points);
+    fill->SetPolys(cells);
+  } else {
+    vtkNew<vtkContourTriangulator> triangulator;
+    triangulator->TriangulationErrorDisplayOff();
+    triangulator->SetInputData(impl_->outline.data);
+    triangulator->Update();
+    fill->SetPoints(triangulator->GetOutput()->GetPoints());
+    fill->SetPolys(triangulator->GetOutput()->GetPolys());
+  }
+  fill->Modified();
+}
+
+void SectionActors::setGrid(const ResectionMap& map) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  const auto lines = map.plane.bend ? gridLines(map.outline, BentSurface(map.plane), kGridMm)
+                                    : gridLines(map.outline, static_cast<const HalfSpace&>(map.plane), kGridMm);
+  for (const auto& [from, to] : lines) {
+    for (const double side : {-kGridLiftMm, kGridLiftMm}) {
+      const Vec3 lift = side * map.plane.normal;
+      cells->InsertNextCell(2);
+      cells->InsertCellPoint(addPoint(points, from + lift));
+      cells->InsertCellPoint(addPoint(points, to + lift));
+    }
+  }
+  impl_->grid.data->SetPoints(points);
+  impl_->grid.data->SetLines(cells);
+  impl_->grid.data->Modified();
 }
 
 void SectionActors::setMargins(const ResectionMap& map, const QImage& margins) {

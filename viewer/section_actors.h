@@ -26,6 +26,8 @@ class SectionActors {
   void setSection(const ResectionMap& map, const QImage& margins);
 
  private:
+  void setFill(const ResectionMap& map);
+  void setGrid(const ResectionMap& map);
   void setMargins(const ResectionMap& map, const QImage& margins);
 
   struct Impl;

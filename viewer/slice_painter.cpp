@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
+#include "viewer/slice_curve.h"
 #include "viewer/slice_view.h"
 
 namespace glisson {
@@ -63,39 +65,70 @@ std::optional<std::pair<SlicePoint, SlicePoint>> planeLine(const SliceGeometry& 
   return std::pair{SlicePoint(onLine + from * along), SlicePoint(onLine + to * along)};
 }
 
-void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, const HalfSpace& plane, const QTransform& toWidget,
-                   bool strong) {
-  const auto ends = planeLine(geometry, slice, plane);
-  if (!ends) {
-    return;
+namespace {
+/// The plane's line or curves in the widget, the resected side on the right.
+std::vector<QPolygonF> linesOf(const SliceGeometry& geometry, int slice, const ResectionPlane& plane, const QTransform& toWidget) {
+  std::vector<QPolygonF> lines;
+  const auto add = [&](std::span<const SlicePoint> points) {
+    QPolygonF& line = lines.emplace_back();
+    for (const SlicePoint& point : points) {
+      line << toWidget.map(QPointF(point.x(), point.y()));
+    }
+  };
+  if (plane.bend) {
+    for (const std::vector<SlicePoint>& curve : slicesCurves(geometry, slice, plane)) {
+      add(curve);
+    }
+  } else if (const auto ends = planeLine(geometry, slice, plane)) {
+    add(std::array{ends->first, ends->second});
   }
-  const QLineF line(toWidget.map(QPointF(ends->first.x(), ends->first.y())),
-                    toWidget.map(QPointF(ends->second.x(), ends->second.y())));
-  const double length = line.length();
-  if (length < 1) {
-    return;
+  return lines;
+}
+
+/// Ticks towards the resected side, evenly along the line.
+QVector<QLineF> ticksOf(const QPolygonF& line) {
+  double length = 0;
+  for (qsizetype n = 0; n + 1 < line.size(); ++n) {
+    length += QLineF(line[n], line[n + 1]).length();
   }
-  const QPointF along = (line.p2() - line.p1()) / length;
-  const QPointF resected(-along.y(), along.x());  // right of the direction, with y down
   QVector<QLineF> ticks;
-  const int tickCount = static_cast<int>(length / kTickDistance);
-  for (int n = 0; n < tickCount; ++n) {
-    const QPointF foot = line.p1() + (n + 0.5) * kTickDistance * along;
-    ticks.append(QLineF(foot, foot + kTickPixels * resected));
+  const int count = static_cast<int>(length / kTickDistance);
+  double passed = 0;
+  int next = 0;
+  for (qsizetype n = 0; n + 1 < line.size(); ++n) {
+    const QLineF piece(line[n], line[n + 1]);
+    for (; next < count && (next + 0.5) * kTickDistance <= passed + piece.length(); ++next) {
+      const QPointF along = (piece.p2() - piece.p1()) / piece.length();
+      const QPointF foot = piece.p1() + ((next + 0.5) * kTickDistance - passed) * along;
+      ticks.append(QLineF(foot, foot + kTickPixels * QPointF(-along.y(), along.x())));  // right of the direction, with y down
+    }
+    passed += piece.length();
   }
-  QPen edge(kDark, strong ? 4.0 : 2.5);
-  edge.setCapStyle(Qt::FlatCap);
-  painter.setPen(edge);
-  painter.drawLine(line);
-  painter.setPen(QPen(kDark, 3.0));
-  painter.drawLines(ticks);
-  QPen dashes(Qt::white, strong ? 1.8 : 1.0);
-  dashes.setCapStyle(Qt::FlatCap);
-  dashes.setDashPattern(strong ? QVector<qreal>{6, 3} : QVector<qreal>{2, 4});
-  painter.setPen(dashes);
-  painter.drawLine(line);
-  painter.setPen(QPen(Qt::white, 1.2));
-  painter.drawLines(ticks);
+  return ticks;
+}
+}  // namespace
+
+void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, const ResectionPlane& plane,
+                   const QTransform& toWidget, bool strong) {
+  for (const QPolygonF& line : linesOf(geometry, slice, plane, toWidget)) {
+    if (line.size() < 2 || (line.size() == 2 && QLineF(line[0], line[1]).length() < 1)) {
+      continue;
+    }
+    const QVector<QLineF> ticks = ticksOf(line);
+    QPen edge(kDark, strong ? 4.0 : 2.5);
+    edge.setCapStyle(Qt::FlatCap);
+    painter.setPen(edge);
+    painter.drawPolyline(line);
+    painter.setPen(QPen(kDark, 3.0));
+    painter.drawLines(ticks);
+    QPen dashes(Qt::white, strong ? 1.8 : 1.0);
+    dashes.setCapStyle(Qt::FlatCap);
+    dashes.setDashPattern(strong ? QVector<qreal>{6, 3} : QVector<qreal>{2, 4});
+    painter.setPen(dashes);
+    painter.drawPolyline(line);
+    painter.setPen(QPen(Qt::white, 1.2));
+    painter.drawLines(ticks);
+  }
 }
 
 void drawCrosshair(QPainter& painter, const QPointF& at, const QSize& size, SliceAxis vertical, SliceAxis horizontal) {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "reconstruction/mesh/cut.h"
+#include "planning/resection/bend.h"
 #include "viewer/slice_geometry.h"
 
 namespace glisson {
@@ -21,8 +21,9 @@ QColor viewColour(SliceAxis axis);
 std::optional<std::pair<SlicePoint, SlicePoint>> planeLine(const SliceGeometry& geometry, int slice, const HalfSpace& plane);
 
 /// `toWidget` maps slice points to widget pixels. `strong`: the plane that is worked on; the others are thinner and dotted.
-void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, const HalfSpace& plane, const QTransform& toWidget,
-                   bool strong = true);
+/// A bent plane's curve is drawn likewise.
+void drawPlaneLine(QPainter& painter, const SliceGeometry& geometry, int slice, const ResectionPlane& plane,
+                   const QTransform& toWidget, bool strong = true);
 /// Vertical line in the colour of `vertical`, horizontal line in that of `horizontal`, with a gap at the crossing.
 void drawCrosshair(QPainter& painter, const QPointF& at, const QSize& size, SliceAxis vertical, SliceAxis horizontal);
 /// Boxes of letters of this size in the middle of the left, right, top and bottom edge of a view; one that would lie on a box that

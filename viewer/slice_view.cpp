@@ -62,8 +62,8 @@ struct SliceView::Impl {
   std::shared_ptr<const Segmentation> segmentation;
   std::shared_ptr<const LiverVoxels> liver;
   std::shared_ptr<const LiverModel> model;
-  std::optional<HalfSpace> plane;
-  std::vector<HalfSpace> otherPlanes;
+  std::optional<ResectionPlane> plane;
+  std::vector<ResectionPlane> otherPlanes;
   std::optional<SliceGeometry> geometry;
   Vec3 crosshair = Vec3::Zero();
   int slice = 0;
@@ -261,7 +261,7 @@ void SliceView::setModel(std::shared_ptr<const LiverModel> model) {
   }
 }
 
-void SliceView::setPlane(std::optional<HalfSpace> plane, std::vector<HalfSpace> others) {
+void SliceView::setPlane(std::optional<ResectionPlane> plane, std::vector<ResectionPlane> others) {
   impl_->plane = std::move(plane);
   impl_->otherPlanes = std::move(others);
   update();
@@ -322,7 +322,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     const auto [vertical, horizontal] = otherAxes(d.axis);
     drawCrosshair(painter, *pixelOf(d.crosshair), size(), vertical, horizontal);
-    for (const HalfSpace& other : d.otherPlanes) {
+    for (const ResectionPlane& other : d.otherPlanes) {
       drawPlaneLine(painter, *d.geometry, d.slice, other, d.toWidget(), false);
     }
     if (d.plane) {

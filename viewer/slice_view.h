@@ -33,7 +33,7 @@ class SliceView : public QWidget {
   /// Visibility and colours of outlines come from the model's structures (by sourceIndex).
   void setModel(std::shared_ptr<const LiverModel> model);
   /// The plane that is worked on, and the others of the plan.
-  void setPlane(std::optional<HalfSpace> plane, std::vector<HalfSpace> others = {});
+  void setPlane(std::optional<ResectionPlane> plane, std::vector<ResectionPlane> others = {});
   /// mm LPS; steps to the slice that holds it. Emits no signal.
   void setCrosshair(const Vec3& worldMm);
   void setWindowLevel(const WindowLevel& windowLevel);

@@ -1,19 +1,24 @@
 #include "viewer/structure_actors.h"
 
 #include <vtkActor.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
 #include <vtkPlane.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace glisson {
 
 namespace {
 
 constexpr double kResectedOpacity = 0.75;  ///< of the structure's own
+constexpr double kBlendMm = 0.5;           ///< on each side of a bent surface, at most
 
 void setColour(vtkActor* actor, Rgb colour) {
   actor->GetProperty()->SetColor(colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
@@ -29,6 +34,9 @@ Rgb resectedColour(Rgb colour) {
 
 StructureActors::StructureActors(vtkRenderer* renderer, std::shared_ptr<const DisplayMesh> mesh, bool split)
     : renderer_(renderer), mesh_(std::move(mesh)), split_(split) {
+  sides_ = vtkSmartPointer<vtkLookupTable>::New();
+  sides_->SetNumberOfTableValues(2);
+  sides_->SetRange(-kBlendMm, kBlendMm);
   addPart();
 }
 
@@ -90,7 +98,16 @@ void StructureActors::setPlan(const ResectionPlan& plan) {
   if (!split_) {
     return;
   }
-  const std::vector<PlanCell> cells = cellsOf(plan);
+  const bool bent = hasBends(plan);
+  if (bent != !bent_.resections.empty()) {
+    while (!parts_.empty()) {  // their mappers draw in another way
+      renderer_->RemoveActor(parts_.back().actor);
+      parts_.pop_back();
+    }
+  }
+  bent_ = bent ? plan : ResectionPlan();
+  raised_ = {};
+  const std::vector<PlanCell> cells = bent ? std::vector<PlanCell>(1) : cellsOf(plan);
   while (parts_.size() > cells.size()) {
     renderer_->RemoveActor(parts_.back().actor);
     parts_.pop_back();
@@ -108,6 +125,70 @@ void StructureActors::setPlan(const ResectionPlan& plan) {
   apply();
 }
 
+namespace {
+/// Positive on the resected side, zero on the plan's surface: the highest of the resections, each as high as its lowest plane.
+class PlanHeight {
+ public:
+  explicit PlanHeight(const ResectionPlan& plan) {
+    for (const Resection& resection : plan.resections) {
+      std::vector<Surface>& planes = resections_.emplace_back();
+      for (const ResectionPlane& plane : resection.planes) {
+        planes.push_back({plane, plane.bend ? std::optional(BentSurface(plane)) : std::nullopt});
+      }
+    }
+  }
+  [[nodiscard]] double at(const Vec3& p) const {
+    double highest = -kFarMm;
+    for (const std::vector<Surface>& planes : resections_) {
+      double lowest = planes.empty() ? -kFarMm : kFarMm;
+      for (const Surface& plane : planes) {
+        lowest = std::min(lowest, plane.bent ? plane.bent->above(p) : plane.flat.normal.dot(p - plane.flat.origin));
+      }
+      highest = std::max(highest, lowest);
+    }
+    return highest;
+  }
+
+ private:
+  static constexpr double kFarMm = 1e6;
+  struct Surface {
+    HalfSpace flat;
+    std::optional<BentSurface> bent;
+  };
+  std::vector<std::vector<Surface>> resections_;
+};
+}  // namespace
+
+void StructureActors::raise() {
+  if (bent_.resections.empty() || raised_[detail_]) {
+    return;
+  }
+  const PlanHeight height(bent_);
+  vtkPolyData* mesh = mesh_->polys[detail_];
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("height");
+  heights->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  for (vtkIdType n = 0; n < mesh->GetNumberOfPoints(); ++n) {
+    Vec3 at;
+    mesh->GetPoint(n, at.data());
+    heights->SetValue(n, static_cast<float>(height.at(at)));
+  }
+  // The mesh is shared with other views: only the heights are this one's.
+  vtkNew<vtkPolyData> raised;
+  raised->ShallowCopy(mesh);
+  raised->GetPointData()->SetScalars(heights);
+  vtkPolyDataMapper* mapper = parts_.front().mappers[detail_];
+  mapper->SetInputData(raised);
+  mapper->SetLookupTable(sides_);
+  mapper->ScalarVisibilityOn();
+  mapper->SetScalarModeToUsePointData();
+  mapper->SetInterpolateScalarsBeforeMapping(true);
+  mapper->UseLookupTableScalarRangeOn();
+  for (std::size_t d = 0; d < kDetails; ++d) {
+    raised_[d] = raised_[d] || mesh_->polys[d] == mesh_->polys[detail_];
+  }
+}
+
 void StructureActors::setDetail(Detail detail) {
   detail_ = static_cast<std::size_t>(detail);
   for (const Part& part : parts_) {
@@ -116,6 +197,7 @@ void StructureActors::setDetail(Detail detail) {
   for (std::size_t d = 0; d < kDetails; ++d) {
     uploaded_[d] = uploaded_[d] || (visible_ && mesh_->polys[d] == mesh_->polys[detail_]);
   }
+  raise();
 }
 
 std::size_t StructureActors::triangles(Detail detail) const {
@@ -124,6 +206,17 @@ std::size_t StructureActors::triangles(Detail detail) const {
 }
 
 void StructureActors::apply() {
+  if (!bent_.resections.empty()) {
+    // Two colours that meet at 0: the table's range is so narrow that its blend is not seen.
+    const Rgb pale = resectedColour(colour_);
+    const double paleOpacity = opacity_ < 1.0 ? kResectedOpacity : 1.0;
+    sides_->SetTableValue(0, colour_.r / 255.0, colour_.g / 255.0, colour_.b / 255.0, 1);
+    sides_->SetTableValue(1, pale.r / 255.0, pale.g / 255.0, pale.b / 255.0, paleOpacity);
+    sides_->Modified();
+    parts_.front().actor->GetProperty()->SetOpacity(opacity_);
+    parts_.front().actor->SetVisibility(visible_);
+    return;
+  }
   for (const Part& part : parts_) {
     const bool resected = part.side == PlanSide::Resected;
     setColour(part.actor, resected ? resectedColour(colour_) : colour_);

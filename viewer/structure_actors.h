@@ -1,6 +1,8 @@
 #pragma once
 // Purpose: one structure in the 3D view. The parenchyma is drawn as several actors that share its mesh, cut by the GPU into the
-// plan's convex parts: the remnant in the structure's colour, what is resected pale and thinner. Frame: mm LPS.
+// plan's convex parts: the remnant in the structure's colour, what is resected pale and thinner. Where a plane is bent the parts
+// are not convex: one actor then has the height above the plan's surface at each vertex, and the colours meet where it is 0. Frame:
+// mm LPS.
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -13,6 +15,7 @@
 #include "viewer/mesh_polydata.h"
 
 class vtkActor;
+class vtkLookupTable;
 class vtkPlane;
 class vtkPolyData;
 class vtkPolyDataMapper;
@@ -33,7 +36,7 @@ class StructureActors {
 
   void setLook(Rgb colour, double opacity, bool visible);
   void setPlan(const ResectionPlan& plan);
-  /// What the next frame draws; it uploads what was not drawn before.
+  /// What the next frame draws, to be called before each one; it uploads what was not drawn before.
   void setDetail(Detail detail);
   [[nodiscard]] bool uploaded(Detail detail) const { return uploaded_[static_cast<std::size_t>(detail)]; }
   /// Triangles drawn at this detail: 0 where hidden, the mesh's once for every part.
@@ -57,11 +60,16 @@ class StructureActors {
   /// As many clipping planes as `cell` has bounds, standing there.
   static void clip(Part& part, const PlanCell& cell);
   void apply();
+  /// Heights above the plan's surface at the vertices of the mesh that the next frame draws, where they are out of date.
+  void raise();
 
   vtkRenderer* renderer_;
   std::shared_ptr<const DisplayMesh> mesh_;
   bool split_;
   std::vector<Part> parts_;
+  ResectionPlan bent_;  ///< without resections: no plane is bent
+  vtkSmartPointer<vtkLookupTable> sides_;
+  std::array<bool, kDetails> raised_{};  ///< by detail
   std::size_t detail_ = 0;
   Rgb colour_;
   double opacity_ = 1;

@@ -8,6 +8,7 @@
 #include "planning/resection/plan_edit.h"
 #include "planning/resection/plan_list.h"
 #include "planning/storage/case_file.h"
+#include "planning/volumetry/bend_over.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/text.h"
 
@@ -89,8 +90,25 @@ void editList(const PlanFlags& flags, Work& work) {
   }
 }
 
+/// Without a half size the square lies over the cut.
+ResectionPlane bent(const HalfSpace& plane, const TypedBend& typed, const LiverVoxels& liver) {
+  ResectionPlane made = bendOver(liver, plane);
+  if (typed.halfSizeMm) {
+    made.origin = plane.origin;
+    made.bend->halfSizeMm = *typed.halfSizeMm;
+  }
+  made.bend->heightsMm = typed.heightsMm;
+  return made;
+}
+
 void addPlanes(const PlanFlags& flags, Work& work, const ExecutionContext& context) {
-  std::vector<HalfSpace> planes = planesOf(flags, work.source.segmentation->geometry);
+  std::vector<ResectionPlane> planes;
+  for (const HalfSpace& plane : planesOf(flags, work.source.segmentation->geometry)) {
+    planes.emplace_back(plane);
+  }
+  if (!flags.bend.empty()) {
+    planes.back() = bent(planes.back(), bendOf(flags.bend), *work.source.liver);
+  }
   if (!flags.proposeMargin.empty()) {
     work.proposal = proposeMarginPlane(work.source, flags.proposeMargin, work.plan().safetyMarginMm, context);
     if (work.proposal->plane) {
@@ -109,7 +127,7 @@ void addPlanes(const PlanFlags& flags, Work& work, const ExecutionContext& conte
     return;
   }
   work.cut = resectionIndex(work.plan(), flags.toResection, "--resection");
-  for (const HalfSpace& plane : planes) {
+  for (const ResectionPlane& plane : planes) {
     work.edit(AddPlane{*work.cut, plane});
   }
 }
@@ -177,6 +195,27 @@ std::optional<Comparison> compared(const PlanFlags& flags, Work& work, const Pla
   return comparison;
 }
 
+/// The plan's bent planes; numbers count from 1.
+Json bendsJson(const ResectionPlan& plan) {
+  Json json = Json::array();
+  for (const Resection& resection : plan.resections) {
+    for (std::size_t p = 0; p < resection.planes.size(); ++p) {
+      const ResectionPlane& plane = resection.planes[p];
+      if (plane.bend) {
+        const Vec3& u = plane.bend->u;
+        json.push_back({{"resection", resection.name},
+                        {"plane", p + 1},
+                        {"originMm", {plane.origin[0], plane.origin[1], plane.origin[2]}},
+                        {"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}},
+                        {"u", {u[0], u[1], u[2]}},
+                        {"halfSizeMm", plane.bend->halfSizeMm},
+                        {"heightsMm", plane.bend->heightsMm}});
+      }
+    }
+  }
+  return json;
+}
+
 Json measuresJson(const std::vector<Measure>& measures) {
   Json json = Json::array();
   for (const Measure& m : measures) {
@@ -197,6 +236,7 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
     if (work.proposal) {
       print(*work.proposal);
     }
+    printBends(work.plan());
     print(assessment);
     print(tumours);
     print(work.plan().measures);
@@ -217,6 +257,9 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
   json["warning"] = assessment.warning.empty() ? Json(nullptr) : Json(assessment.warning);
   json["tumourMeasures"] = Json::parse(toJson(tumours));
   json["measures"] = measuresJson(work.plan().measures);
+  if (hasBends(work.plan())) {
+    json["bends"] = bendsJson(work.plan());
+  }
   json["flrCard"] = Json::parse(toJson(card));
   json["structures"] = acceptanceJson(*work.source.model);
   if (work.proposal) {

@@ -1,6 +1,7 @@
 #include "app/cli/plan_flags.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
 #include "planning/resection/place_plane.h"
@@ -96,6 +97,10 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
   command.add_option("--propose-margin", flags.proposeMargin,
                      "A tumour's id or name: the plane with the smallest functional volume that keeps the safety margin around it");
   command.add_flag("--flip", flags.flip, "The other side of the planes of this call is resected (not of --propose-margin)");
+  command.add_option(
+      "--bend", flags.bend,
+      "h0,...,h15[,halfSize]: bend the last placed plane of this call; 16 heights along its normal, mm, row by row over a "
+      "square around its origin (halfSize mm; without it: over the cut)");
   command.add_option("--resection", flags.toResection, "Add the planes to this resection instead of making a new one");
   command.add_option("--remove-resection", flags.removeResection, "Remove this resection from the plan");
   command.add_option("--margin", flags.margin, "The plan's safety margin, mm");
@@ -118,9 +123,14 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
 }
 
 void checkFlags(const PlanFlags& flags) {
-  (void)planesOf(flags, ImageGeometry());
+  if (planesOf(flags, ImageGeometry()).empty() && !flags.bend.empty()) {
+    throw UsageError("--bend needs a placed plane of the same call to bend; a proposed one would lose its margin");
+  }
   (void)factsOf(flags, {});
   checkAcceptanceFlags(flags.acceptance);
+  if (!flags.bend.empty()) {
+    (void)bendOf(flags.bend);
+  }
   for (const std::string& text : flags.islands) {
     (void)islandOf(text);
   }
@@ -155,6 +165,19 @@ std::vector<HalfSpace> planesOf(const PlanFlags& flags, const ImageGeometry& geo
     plane = flags.flip ? flipped(plane) : plane;
   }
   return planes;
+}
+
+TypedBend bendOf(const std::string& text) {
+  constexpr std::size_t kHeights = 16;
+  const bool sized = partsOf(text).size() == kHeights + 1;
+  const auto n =
+      numbersOf("--bend", text, sized ? kHeights + 1 : kHeights, "sixteen heights h0,...,h15 and, if wanted, a half size");
+  TypedBend bend;
+  std::copy_n(n.begin(), kHeights, bend.heightsMm.begin());
+  if (sized) {
+    bend.halfSizeMm = n.back();
+  }
+  return bend;
 }
 
 IslandAssignment islandOf(const std::string& text) {

@@ -1,6 +1,7 @@
 #pragma once
 // Purpose: what `glisson-cli plan` is asked for, as text, and what its parts mean. Throws UsageError naming the flag.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct PlanFlags {
   std::vector<std::string> slices;
   std::string proposeMargin;  ///< a tumour
   bool flip = false;
+  std::string bend;         ///< of the last of them
   std::string toResection;  ///< empty: a new one
   // other edits of the plan
   std::string removeResection;
@@ -52,6 +54,12 @@ void checkFlags(const PlanFlags& flags);
 
 /// The planes asked for but for --propose-margin, in the order --plane, --points, --line, --slice; `flip` turns them around.
 std::vector<HalfSpace> planesOf(const PlanFlags& flags, const ImageGeometry& geometry);
+/// h0,...,h15[,halfSize]
+struct TypedBend {
+  std::array<double, 16> heightsMm{};
+  std::optional<double> halfSizeMm;
+};
+TypedBend bendOf(const std::string& text);
 /// x,y,z,resected or x,y,z,remnant
 IslandAssignment islandOf(const std::string& text);
 /// x,y,z,x,y,z

@@ -74,6 +74,20 @@ void print(const PlanAssessment& a) {
   }
 }
 
+void printBends(const ResectionPlan& plan) {
+  for (const Resection& resection : plan.resections) {
+    for (std::size_t p = 0; p < resection.planes.size(); ++p) {
+      if (const auto& bend = resection.planes[p].bend) {
+        const Range heights = BendShape(*bend).heights();
+        const std::string size = formatNumber(2 * bend->halfSizeMm, 0);
+        std::cout << "plane " << p + 1 << " of " << resection.name << " is bent: control points from "
+                  << formatNumber(heights.low, 1) << " to " << formatNumber(heights.high, 1) << " mm over " << size << " x " << size
+                  << " mm\n";
+      }
+    }
+  }
+}
+
 void print(const FlrCard& card) {
   if (card.slvUrataMl) {
     std::cout << "body surface: " << formatNumber(*card.bsaMostellerM2, 2) << " m2 (Mosteller), "

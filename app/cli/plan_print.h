@@ -9,6 +9,7 @@
 namespace glisson::cli {
 
 void print(const PlanAssessment& assessment);
+void printBends(const ResectionPlan& plan);
 void print(const FlrCard& card);
 void print(const std::vector<TumourMeasures>& measures);
 void print(const std::vector<Measure>& measures);

@@ -59,7 +59,7 @@ class Document : public QObject {
   /// What is worked on and shown; no undo step. Places that do not exist become the nearest that do.
   void choose(const ChosenPlane& chosen);
   /// The plane being worked on; nothing while the plan is empty.
-  [[nodiscard]] std::optional<HalfSpace> plane() const;
+  [[nodiscard]] std::optional<ResectionPlane> plane() const;
   /// The plan being worked on.
   [[nodiscard]] const ResectionPlan& plan() const;
   [[nodiscard]] const PlanAssessment& assessment() const { return assessment_; }
@@ -71,10 +71,14 @@ class Document : public QObject {
   /// Centre of L's voxels, mm; nothing until computed.
   [[nodiscard]] std::optional<Vec3> liverCentre() const { return liverCentre_; }
 
-  /// Each is one undo step with its name. A plane is placed where none is, else moved there.
+  /// Each is one undo step with its name. A plane is placed where none is, else moved there; placed anew it is flat, moved it keeps
+  /// its bend.
   void placePlane(const HalfSpace& plane);
   void movePlane(const HalfSpace& plane);
   void removePlane();
+  /// Bends the plane worked on, from heights of 0 over its cut through the liver.
+  void startBend();
+  void flattenPlane();
   /// Any edit of the plan worked on; a plane it adds is the one worked on then. Throws PlanningError and changes nothing where the
   /// plan does not take it.
   void edit(const PlanEdit& edit);
@@ -96,8 +100,8 @@ class Document : public QObject {
 
   /// From begin to end is one undo step; between them only the volumes follow.
   void beginDrag();
-  void dragTo(const HalfSpace& plane);
-  void endDrag(const HalfSpace& plane);
+  void dragTo(const ResectionPlane& plane);
+  void endDrag(const ResectionPlane& plane);
 
   /// A finished reconstruction; colour, opacity and visibility stay as the user has set them meanwhile. Nobody has accepted it.
   void setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction);
@@ -142,7 +146,7 @@ class Document : public QObject {
     double opacity = 1;
   };
   void leave();
-  [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const HalfSpace& plane) const;
+  [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const ResectionPlane& plane) const;
   void pushPlans(const QString& name, std::vector<ResectionPlan> plans, const ChosenPlane& chosen);
   void setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name);
   /// The edits of earlier sessions onto the undo stack; what was undone then is not there.

@@ -3,6 +3,7 @@
 #include "app/gui/document.h"
 #include "app/gui/edit_commands.h"
 #include "planning/resection/plan_list.h"
+#include "planning/volumetry/bend_over.h"
 
 namespace glisson {
 
@@ -37,7 +38,7 @@ const ResectionPlan& Document::plan() const {
   return chosen_.plan < case_.plans.size() ? case_.plans[chosen_.plan] : kNone;
 }
 
-std::optional<HalfSpace> Document::plane() const {
+std::optional<ResectionPlane> Document::plane() const {
   const std::vector<Resection>& resections = plan().resections;
   if (chosen_.resection >= resections.size() || chosen_.plane >= resections[chosen_.resection].planes.size()) {
     return std::nullopt;
@@ -59,14 +60,14 @@ void Document::choose(const ChosenPlane& chosen) {
   }
 }
 
-std::vector<ResectionPlan> Document::plansWithPlane(const HalfSpace& plane) const {
+std::vector<ResectionPlan> Document::plansWithPlane(const ResectionPlane& plane) const {
   std::vector<ResectionPlan> plans = case_.plans;
   if (plans.empty()) {
     plans.push_back({.name = "Plan 1", .resections = {}});
   }
   ResectionPlan& current = plans[chosen_.plan];
   if (this->plane()) {
-    current = apply(current, {.resection = chosen_.resection, .plane = chosen_.plane, .to = plane});
+    current.resections[chosen_.resection].planes[chosen_.plane] = checkedPlane(plane);
   } else {
     current = apply(current, PlanEdit(AddResection{{.name = {}, .planes = {plane}}}));
   }
@@ -91,6 +92,20 @@ void Document::movePlane(const HalfSpace& plane) {
 void Document::removePlane() {
   if (plane()) {
     edit(RemovePlane{chosen_.resection, chosen_.plane});
+  }
+}
+
+void Document::startBend() {
+  const std::optional<ResectionPlane> now = plane();
+  if (now && !now->bend && case_.liver) {
+    const ResectionPlane bent = bendOver(*case_.liver, *now);
+    edit(BendPlane{chosen_.resection, chosen_.plane, *bent.bend, bent.origin});
+  }
+}
+
+void Document::flattenPlane() {
+  if (plane() && plane()->bend) {
+    edit(FlattenPlane{chosen_.resection, chosen_.plane});
   }
 }
 
@@ -134,7 +149,7 @@ void Document::removePlan() {
 
 void Document::beginDrag() { beforeDrag_ = case_.plans; }
 
-void Document::dragTo(const HalfSpace& plane) {
+void Document::dragTo(const ResectionPlane& plane) {
   if (!beforeDrag_) {
     beginDrag();
   }
@@ -143,18 +158,24 @@ void Document::dragTo(const HalfSpace& plane) {
   assessVolumes();
 }
 
-void Document::endDrag(const HalfSpace& plane) {
+void Document::endDrag(const ResectionPlane& plane) {
   if (!beforeDrag_) {
     return;
   }
   case_.plans = std::move(*beforeDrag_);
   beforeDrag_.reset();
-  const std::optional<HalfSpace> from = this->plane();
-  if (from && from->origin == plane.origin && from->normal == plane.normal) {
+  const std::optional<ResectionPlane> from = this->plane();
+  if (from && *from == plane) {
     setPlans(case_.plans, chosen_, {});  // a click on a handle moves nothing and is no step
     return;
   }
-  from ? movePlane(plane) : placePlane(plane);
+  if (!from) {
+    placePlane(plane);
+  } else if (from->origin == plane.origin && from->normal == plane.normal && plane.bend) {
+    edit(BendPlane{chosen_.resection, chosen_.plane, *plane.bend});
+  } else {
+    movePlane(plane);
+  }
 }
 
 void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name) {

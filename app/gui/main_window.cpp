@@ -25,6 +25,7 @@
 #include "app/gui/plan_panel.h"
 #include "app/gui/plane_editor.h"
 #include "app/gui/plane_placer.h"
+#include "app/gui/sentences.h"
 #include "app/gui/start_page.h"
 #include "app/gui/structure_list.h"
 #include "app/gui/territory_box.h"
@@ -154,6 +155,8 @@ void MainWindow::connectParts() {
   connect(&editor, &PlaneEditor::placeRequested, placer_, &PlanePlacer::placeAsSeen);
   connect(&editor, &PlaneEditor::removeRequested, document_, &Document::removePlane);
   connect(&editor, &PlaneEditor::planeEdited, document_, &Document::movePlane);
+  connect(&editor, &PlaneEditor::bendingChanged, this, &MainWindow::bend);
+  connect(&editor, &PlaneEditor::flattenRequested, document_, &Document::flattenPlane);
   connect(&editor, &PlaneEditor::moveRequested, placer_, &PlanePlacer::moveBy);
   connect(&editor, &PlaneEditor::tiltRequested, placer_, &PlanePlacer::tilt);
   connect(&editor, &PlaneEditor::normalRefused, this,
@@ -165,6 +168,18 @@ void MainWindow::connectParts() {
   });
   connect(this, &MainWindow::recentChanged, start_, &StartPage::setRecent);
   connect(this, &MainWindow::recentChanged, actions_, &MainActions::setRecent);
+}
+
+void MainWindow::bend(bool shown, bool group) {
+  views_->modelView().setBending(shown, group);
+  if (!shown) {
+    return;
+  }
+  try {
+    document_->startBend();
+  } catch (const Error& error) {
+    complain(messageOf(error));
+  }
 }
 
 void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& file) {

@@ -80,6 +80,7 @@ class MainWindow : public Translated<QMainWindow> {
   void onCaseChanged();
   void readCtLater();
   void complain(const QString& message);
+  void bend(bool shown, bool group);
   void refreshStates();
   void refreshTitle();
   void remember(const QString& path);

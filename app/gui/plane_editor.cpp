@@ -1,5 +1,6 @@
 #include "app/gui/plane_editor.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -50,11 +51,21 @@ PlaneEditor::PlaneEditor(QWidget* parent)
       moveLabel_(new QLabel(this)),
       tiltLabel_(new QLabel(this)),
       moveStep_(makeField(this, "moveStep", 50, 1, 1)),
-      tiltStep_(makeField(this, "tiltStep", 45, 1, 1)) {
+      tiltStep_(makeField(this, "tiltStep", 45, 1, 1)),
+      bend_(new QPushButton(this)),
+      bendMoves_(new QComboBox(this)),
+      flat_(new QPushButton(this)) {
   setObjectName("planeEditor");
   place_->setObjectName("placePlane");
   flip_->setObjectName("flipPlane");
   remove_->setObjectName("removePlane");
+  bend_->setObjectName("bendPlane");
+  bend_->setCheckable(true);
+  bendMoves_->setObjectName("bendMoves");
+  bendMoves_->addItems({QString(), QString()});
+  bendMoves_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  bendMoves_->setMinimumContentsLength(8);
+  flat_->setObjectName("flattenPlane");
   constexpr std::array kAxes{"X", "Y", "Z"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     origin_[axis] = makeField(this, QString("origin") + kAxes[axis], 5000, 1, 1);
@@ -76,6 +87,9 @@ PlaneEditor::PlaneEditor(QWidget* parent)
       emit planeEdited({plane_->origin, -plane_->normal});
     }
   });
+  connect(bend_, &QPushButton::toggled, this, &PlaneEditor::tellBending);
+  connect(bendMoves_, &QComboBox::activated, this, &PlaneEditor::tellBending);
+  connect(flat_, &QPushButton::clicked, this, &PlaneEditor::flattenRequested);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     connect(origin_[axis], &QDoubleSpinBox::editingFinished, this, &PlaneEditor::commitFields);
     connect(normal_[axis], &QDoubleSpinBox::editingFinished, this, &PlaneEditor::commitNormal);
@@ -123,13 +137,24 @@ void PlaneEditor::build() {
   last->addWidget(flip_);
   last->addWidget(remove_);
   grid->addLayout(last, 5, 0, 1, 4);
+  auto* bending = new QHBoxLayout;
+  bending->addWidget(bend_);
+  bending->addWidget(bendMoves_, 1);
+  bending->addWidget(flat_);
+  grid->addLayout(bending, 6, 0, 1, 4);
 }
+
+void PlaneEditor::tellBending() { emit bendingChanged(bend_->isChecked(), bendMoves_->currentIndex() == 1); }
 
 void PlaneEditor::retranslateUi() {
   setTitle(tr("Resection plane"));
   place_->setText(tr("Place plane on the liver"));
   flip_->setText(tr("Swap sides"));
   remove_->setText(tr("Remove plane"));
+  bend_->setText(tr("Bend"));
+  bendMoves_->setItemText(0, tr("one point"));
+  bendMoves_->setItemText(1, tr("its group"));
+  flat_->setText(tr("Flat"));
   originLabel_->setText(tr("Origin"));
   originLabel_->setToolTip(tr("A point of the plane, mm: to the patient's left, posterior, superior"));
   normalLabel_->setText(tr("Normal"));
@@ -144,7 +169,7 @@ void PlaneEditor::retranslateUi() {
   updateEnabled();
 }
 
-void PlaneEditor::setPlane(const std::optional<HalfSpace>& plane) {
+void PlaneEditor::setPlane(const std::optional<ResectionPlane>& plane) {
   plane_ = plane;
   const HalfSpace shown = plane.value_or(HalfSpace{Vec3::Zero(), Vec3::Zero()});
   for (int axis = 0; axis < 3; ++axis) {
@@ -153,6 +178,9 @@ void PlaneEditor::setPlane(const std::optional<HalfSpace>& plane) {
     const QSignalBlocker quietNormal(normal_[at]);
     origin_[at]->setValue(shown.origin[axis]);
     normal_[at]->setValue(shown.normal[axis]);
+  }
+  if (bend_->isChecked() && !(plane && plane->bend)) {
+    bend_->setChecked(false);  // flattened, undone, or another plane is worked on
   }
   updateEnabled();
 }
@@ -224,6 +252,16 @@ void PlaneEditor::updateEnabled() {
     control->setEnabled(plane_.has_value());
     const auto tip = tips.find(control);
     control->setToolTip(plane_ && tip != tips.end() ? tip->second : reason);
+  }
+  const bool bent = plane_ && plane_->bend;
+  bendMoves_->setEnabled(bent && bend_->isChecked());
+  flat_->setEnabled(bent);
+  if (plane_) {
+    bend_->setToolTip(tr("Show 16 control points and drag them along the normal: the plane becomes a Bezier surface"));
+    bendMoves_->setToolTip(bendMoves_->isEnabled()
+                               ? tr("What a drag moves: one point, or all corners, edge or inner points (Shift)")
+                               : tr("Press Bend first."));
+    flat_->setToolTip(bent ? tr("Make the bent surface the plane again") : tr("The plane is flat."));
   }
 }
 

@@ -1,14 +1,15 @@
 #pragma once
 // Purpose: everything the mouse does with the plane, exactly: origin and normal typed in (mm LPS), steps along the normal, tilts,
-// sides swapped, placed, removed. Knows no document: it asks by signals.
+// sides swapped, bent, placed, removed. Knows no document: it asks by signals.
 
 #include <QGroupBox>
 #include <array>
 #include <optional>
 
 #include "app/gui/translated.h"
-#include "reconstruction/mesh/cut.h"
+#include "planning/resection/bend.h"
 
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QMenu;
@@ -22,7 +23,7 @@ class PlaneEditor : public Translated<QGroupBox> {
  public:
   explicit PlaneEditor(QWidget* parent = nullptr);
 
-  void setPlane(const std::optional<HalfSpace>& plane);
+  void setPlane(const std::optional<ResectionPlane>& plane);
   /// The other ways to place it.
   void setPlaceMenu(QMenu* menu);
   /// Why no plane can be placed now; empty: it can.
@@ -38,6 +39,9 @@ class PlaneEditor : public Translated<QGroupBox> {
   void moveRequested(double mm);
   /// Radians about the picture's up axis and about its right axis.
   void tiltRequested(double aboutUp, double aboutRight);
+  /// The plane shall be bent, where it is flat, and its control points shown; with their whole group they move where `group`.
+  void bendingChanged(bool shown, bool group);
+  void flattenRequested();
   /// A normal of no length was typed: the fields were put back.
   void normalRefused();
 
@@ -49,8 +53,9 @@ class PlaneEditor : public Translated<QGroupBox> {
   void commitFields();
   void commitNormal();
   void updateEnabled();
+  void tellBending();
 
-  std::optional<HalfSpace> plane_;
+  std::optional<ResectionPlane> plane_;
   QPushButton* place_;
   QToolButton* placeOtherwise_;
   QPushButton* flip_;
@@ -65,6 +70,9 @@ class PlaneEditor : public Translated<QGroupBox> {
   QDoubleSpinBox* tiltStep_;
   std::array<QToolButton*, 2> move_{};
   std::array<QToolButton*, 4> tilt_{};
+  QPushButton* bend_;
+  QComboBox* bendMoves_;
+  QPushButton* flat_;
 };
 
 }  // namespace glisson

@@ -179,7 +179,9 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "its territories cannot be read")},
     {"",
      QT_TRANSLATE_NOOP(
-         "Sentence", "The plan holds a number that is not finite or a normal that is not of unit length; place the plane again.")},
+         "Sentence",
+         "The plan holds a number that is not finite, a normal that is not of unit length or a bend that is none; place the plane "
+         "again.")},
     {"", QT_TRANSLATE_NOOP("Sentence",
                            "%1 cannot be written because the disk is full; free some space, the last saved state is intact.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 is open read-only; save the case under another name to go on editing.")},

@@ -144,7 +144,7 @@ void ViewArea::showPlane() {
   const ChosenPlane& chosen = document_.chosen();
   const std::vector<Resection>& resections = document_.plan().resections;
   modelView_->setPlan(document_.plan(), {chosen.resection, chosen.plane});
-  std::vector<HalfSpace> others;
+  std::vector<ResectionPlane> others;
   for (std::size_t r = 0; r < resections.size(); ++r) {
     for (std::size_t p = 0; p < resections[r].planes.size(); ++p) {
       if (r != chosen.resection || p != chosen.plane) {

@@ -84,14 +84,28 @@ PackageMesh part(const std::string& id, const std::string& role, int resection, 
   return result;
 }
 
+/// The plane, or the surface it is bent to.
+CuttingSurface surfaceOf(const ResectionPlane& plane) {
+  if (!plane.bend) {
+    return {plane, [plane](const Vec3& p) { return plane.normal.dot(p - plane.origin); }, 0};
+  }
+  const BentSurface bent(plane);
+  return {plane, [bent](const Vec3& p) { return bent.above(p); }, bent.shape().mostCurved()};
+}
+
+CutResult cutAlong(const SurfaceMesh& mesh, const ResectionPlane& plane, const ExecutionContext& context) {
+  return plane.bend ? cutForFloats(mesh, surfaceOf(plane), context) : cutForFloats(mesh, HalfSpace(plane), context);
+}
+
 /// The triangles of a resected part that lie on one of the resection's planes, turned to face the resected side.
-void addFacesOnPlanes(const SurfaceMesh& resected, const std::vector<HalfSpace>& planes, SurfaceMesh& surface) {
+void addFacesOnPlanes(const SurfaceMesh& resected, const std::vector<ResectionPlane>& planes, SurfaceMesh& surface) {
   const double onPlaneMm = kOnPlaneSpacings * floatSpacingMm(resected);
+  std::vector<CuttingSurface> surfaces(planes.size());
+  std::transform(planes.begin(), planes.end(), surfaces.begin(), surfaceOf);
   for (const Triangle& t : resected.triangles) {
-    const bool onPlane = std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& plane) {
-      return std::all_of(t.begin(), t.end(), [&](std::uint32_t corner) {
-        return std::abs(plane.normal.dot(resected.vertices[corner] - plane.origin)) <= onPlaneMm;
-      });
+    const bool onPlane = std::any_of(surfaces.begin(), surfaces.end(), [&](const CuttingSurface& plane) {
+      return std::all_of(t.begin(), t.end(),
+                         [&](std::uint32_t corner) { return std::abs(plane.above(resected.vertices[corner])) <= onPlaneMm; });
     });
     if (onPlane) {
       const auto n = static_cast<std::uint32_t>(surface.vertices.size());
@@ -110,15 +124,16 @@ struct Pieces {
 };
 
 /// Each closed piece cut by each plane in turn: inside is what lies within all half-spaces.
-Pieces cutByAll(const std::vector<SurfaceMesh>& pieces, const std::vector<HalfSpace>& planes, const ExecutionContext& context) {
+Pieces cutByAll(const std::vector<SurfaceMesh>& pieces, const std::vector<ResectionPlane>& planes,
+                const ExecutionContext& context) {
   Pieces result;
   for (const SurfaceMesh& piece : pieces) {
     SurfaceMesh inside = piece;
-    for (const HalfSpace& plane : planes) {
+    for (const ResectionPlane& plane : planes) {
       if (inside.empty()) {
         break;
       }
-      CutResult halves = cutForFloats(inside, plane, context);
+      CutResult halves = cutAlong(inside, plane, context);
       if (!halves.negative.empty()) {
         result.outside.push_back(std::move(halves.negative));
       }
@@ -167,7 +182,7 @@ void addPlannedParts(const Structure& parenchyma, const ResectionPlan& plan, con
   double resectedVolume = 0;
   std::vector<PackageMesh> parts;
   for (std::size_t r = 0; r < plan.resections.size(); ++r) {
-    const std::vector<HalfSpace>& planes = plan.resections[r].planes;
+    const std::vector<ResectionPlane>& planes = plan.resections[r].planes;
     Pieces pieces = planes.empty() ? Pieces{} : cutByAll(remnant, planes, context);
     if (pieces.inside.empty() || pieces.outside.empty() || pieces.surface.empty()) {
       throw PlanningError("Resection " + std::to_string(r + 1) +

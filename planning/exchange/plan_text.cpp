@@ -62,8 +62,13 @@ Json resectionOf(const Case& source, const Resection& resection, std::size_t ind
   Json json;
   json["name"] = pseudonymous(resection.name, "Resection " + std::to_string(index + 1), source);
   json["planes"] = Json::array();
-  for (const HalfSpace& plane : resection.planes) {
+  for (const ResectionPlane& plane : resection.planes) {
     json["planes"].push_back({{"originMm", toArray(plane.origin)}, {"normalToResectedSide", toArray(plane.normal)}});
+    if (plane.bend) {
+      // v = normal x u; the surface is origin + U u + V v + h(U, V) normal, h the cubic Bezier surface of these heights.
+      json["planes"].back()["bend"] = {
+          {"u", toArray(plane.bend->u)}, {"halfSizeMm", plane.bend->halfSizeMm}, {"heightsMm", plane.bend->heightsMm}};
+    }
   }
   json["meshes"] = Json::array();
   for (const PackageMesh& mesh : meshes) {
@@ -114,7 +119,7 @@ std::string planText(const Case& source, const ResectionPlan& plan, const Export
                      const std::vector<PackageMesh>& meshes, const std::vector<FileEntry>& files) {
   Json json;
   json["format"] = "glisson-plan";
-  json["formatVersion"] = 1;
+  json["formatVersion"] = hasBends(plan) ? 2 : 1;  // a reader of 1 must not take a bent plane for a flat one
   json["program"] = "Glisson";
   json["version"] = glissonVersion();
   json["notice"] = "Not for clinical use";

@@ -124,8 +124,8 @@ struct Difference {
                           std::to_string(other.planes.size()) + " in " + nameB() + ".");
     }
     for (std::size_t p = 0; p < std::min(one.planes.size(), other.planes.size()); ++p) {
-      const HalfSpace& from = one.planes[p];
-      const HalfSpace& to = other.planes[p];
+      const ResectionPlane& from = one.planes[p];
+      const ResectionPlane& to = other.planes[p];
       const double degrees = std::atan2(from.normal.cross(to.normal).norm(), from.normal.dot(to.normal)) * 180 / std::numbers::pi;
       const double away = std::abs(to.normal.dot(from.origin - to.origin));
       const std::string turn = formatNumber(degrees, 1);
@@ -134,6 +134,17 @@ struct Difference {
         sentences.push_back("Plane " + std::to_string(p + 1) + " of " + one.name + " is turned by " + turn + " degrees and lies " +
                             shift + " mm from where it was placed in " + nameA() + ".");
       }
+      bendOfPlane(one.name, std::to_string(p + 1), from, to);
+    }
+  }
+
+  void bendOfPlane(const std::string& resection, const std::string& number, const ResectionPlane& one,
+                   const ResectionPlane& other) {
+    if (one.bend.has_value() != other.bend.has_value()) {
+      sentences.push_back("Plane " + number + " of " + resection + " is bent in " + (one.bend ? nameA() : nameB()) + " only.");
+    } else if (one.bend != other.bend) {
+      sentences.push_back("Plane " + number + " of " + resection + " is bent in another way in " + nameB() + " than in " + nameA() +
+                          ".");
     }
   }
 

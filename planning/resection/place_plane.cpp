@@ -17,7 +17,7 @@ HalfSpace planeFromCamera(const Vec3& point, const Vec3& viewDirection, const Ve
   if (!(right.norm() > kLeast)) {
     throw PlanningError("The camera looks along its own up direction; turn the view first.");
   }
-  return checkedPlane({point, right});
+  return checkedPlane(HalfSpace{point, right});
 }
 
 HalfSpace planeThroughPoints(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -28,7 +28,7 @@ HalfSpace planeThroughPoints(const Vec3& a, const Vec3& b, const Vec3& c) {
   if (!(normal.norm() > kLeastHeightMm * longest)) {
     throw PlanningError("The three points lie on one line, so they give no plane; click one of them elsewhere.");
   }
-  return checkedPlane({(a + b + c) / 3, normal});
+  return checkedPlane(HalfSpace{(a + b + c) / 3, normal});
 }
 
 HalfSpace planeOfLine(const Vec3& a, const Vec3& b, const Vec3& viewDirection) {
@@ -36,7 +36,7 @@ HalfSpace planeOfLine(const Vec3& a, const Vec3& b, const Vec3& viewDirection) {
   if (!(normal.norm() > kLeast)) {
     throw PlanningError("The line has no length in the view, so it gives no plane; draw it again across the liver.");
   }
-  return checkedPlane({0.5 * (a + b), normal});
+  return checkedPlane(HalfSpace{0.5 * (a + b), normal});
 }
 
 HalfSpace planeOfLineFromEye(const Vec3& a, const Vec3& b, const Vec3& eye) { return planeOfLine(a, b, 0.5 * (a + b) - eye); }
@@ -57,7 +57,7 @@ HalfSpace planeParallelToSlice(const ImageGeometry& geometry, SlicePlane slice, 
   const Eigen::Index world = slice == SlicePlane::Axial ? 2 : slice == SlicePlane::Coronal ? 1 : 0;
   const auto axis = static_cast<Eigen::Index>(nearestIndexAxes(geometry.direction)[static_cast<std::size_t>(world)]);
   const Vec3 normal = geometry.direction.col(axis);
-  return checkedPlane({point, normal[world] < 0 ? Vec3(-normal) : normal});
+  return checkedPlane(HalfSpace{point, normal[world] < 0 ? Vec3(-normal) : normal});
 }
 
 }  // namespace glisson

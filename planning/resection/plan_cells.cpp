@@ -2,9 +2,14 @@
 
 #include <utility>
 
+#include "reconstruction/errors.h"
+
 namespace glisson {
 
 std::vector<PlanCell> cellsOf(const ResectionPlan& plan) {
+  if (hasBends(plan)) {
+    throw PlanningError("The plan has a bent plane, whose sides are no convex parts; flatten it first.");
+  }
   std::vector<PlanCell> resected;
   std::vector<PlanCell> remnant{{}};
   for (const Resection& resection : plan.resections) {

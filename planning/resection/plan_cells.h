@@ -15,7 +15,7 @@ struct PlanCell {
 };
 
 /// Parts that cover space once, up to their borders. A plan without planes is one part, the remnant's. Islands given to another
-/// side are not cut out. A part may lie outside the liver.
+/// side are not cut out. A part may lie outside the liver. Throws PlanningError where a plane is bent: such parts are not convex.
 std::vector<PlanCell> cellsOf(const ResectionPlan& plan);
 
 }  // namespace glisson

@@ -49,14 +49,15 @@ struct Applier {
 
   void operator()(const MovePlane& edit) {
     requirePlane(plan, edit.resection, edit.plane);
-    plan.resections[edit.resection].planes[edit.plane] = checkedPlane(edit.to);
+    ResectionPlane& plane = plan.resections[edit.resection].planes[edit.plane];
+    plane = movedTo(plane, checkedPlane(edit.to));
   }
   void operator()(const AddResection& edit) {
     if (edit.resection.planes.empty()) {
       throw PlanningError("A resection needs at least one plane; place it first.");
     }
     Resection added{edit.resection.name, {}};
-    for (const HalfSpace& plane : edit.resection.planes) {
+    for (const ResectionPlane& plane : edit.resection.planes) {
       added.planes.push_back(checkedPlane(plane));
     }
     added.name =
@@ -81,6 +82,20 @@ struct Applier {
     if (plan.resections[edit.resection].planes.empty()) {
       eraseAt(plan.resections, edit.resection);
     }
+  }
+  void operator()(const BendPlane& edit) {
+    requirePlane(plan, edit.resection, edit.plane);
+    ResectionPlane& plane = plan.resections[edit.resection].planes[edit.plane];
+    const Bend bend = checkedBend(plane, edit.bend);
+    if (edit.origin) {
+      requireFinite(*edit.origin);
+      plane.origin = *edit.origin - plane.normal.dot(*edit.origin - plane.origin) * plane.normal;
+    }
+    plane.bend = bend;
+  }
+  void operator()(const FlattenPlane& edit) {
+    requirePlane(plan, edit.resection, edit.plane);
+    plan.resections[edit.resection].planes[edit.plane].bend.reset();
   }
   void operator()(const SetSafetyMargin& edit) {
     if (!(std::isfinite(edit.mm) && edit.mm >= 0)) {
@@ -129,20 +144,29 @@ struct Namer {
   }
   [[nodiscard]] bool hasOnePlane() const { return plan.resections.size() == 1 && plan.resections[0].planes.size() == 1; }
 
+  /// As much as is needed to tell one plane from the others.
+  [[nodiscard]] std::string fitting(std::string only, std::string ofOneResection, std::string ofSeveral) const {
+    if (plan.resections.size() != 1) {
+      return ofSeveral;
+    }
+    return hasOnePlane() ? only : ofOneResection;
+  }
+
   std::string operator()(const MovePlane& edit) const {
     const std::string number = std::to_string(edit.plane + 1);
-    if (hasOnePlane()) {
-      return "move plane";
-    }
-    return plan.resections.size() == 1 ? "move plane " + number : "move plane " + number + " of " + resectionName(edit.resection);
+    return fitting("move plane", "move plane " + number, "move plane " + number + " of " + resectionName(edit.resection));
   }
   std::string operator()(const RemovePlane& edit) const {
     const std::string number = std::to_string(edit.plane + 1);
-    if (hasOnePlane()) {
-      return "remove plane";
-    }
-    return plan.resections.size() == 1 ? "remove plane " + number
-                                       : "remove plane " + number + " of " + resectionName(edit.resection);
+    return fitting("remove plane", "remove plane " + number, "remove plane " + number + " of " + resectionName(edit.resection));
+  }
+  std::string operator()(const BendPlane& edit) const {
+    const std::string number = std::to_string(edit.plane + 1);
+    return fitting("bend plane", "bend plane " + number, "bend plane " + number + " of " + resectionName(edit.resection));
+  }
+  std::string operator()(const FlattenPlane& edit) const {
+    const std::string number = std::to_string(edit.plane + 1);
+    return fitting("flatten plane", "flatten plane " + number, "flatten plane " + number + " of " + resectionName(edit.resection));
   }
   std::string operator()(const AddPlane& edit) const {
     return plan.resections.size() == 1 ? "add plane" : "add plane to " + resectionName(edit.resection);

@@ -4,6 +4,7 @@
 // what it brings is not finite.
 
 #include <concepts>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,7 +13,7 @@
 
 namespace glisson {
 
-/// One plane elsewhere; its normal is made unit.
+/// One plane elsewhere; its normal is made unit, its bend goes along (movedTo()).
 struct MovePlane {
   std::size_t resection = 0;
   std::size_t plane = 0;
@@ -32,10 +33,22 @@ struct RenameResection {
 };
 struct AddPlane {
   std::size_t resection = 0;
-  HalfSpace plane;
+  ResectionPlane plane;
 };
 /// With its last plane a resection goes too.
 struct RemovePlane {
+  std::size_t resection = 0;
+  std::size_t plane = 0;
+};
+/// One plane bent so, whether it was bent or not.
+struct BendPlane {
+  std::size_t resection = 0;
+  std::size_t plane = 0;
+  Bend bend;
+  std::optional<Vec3> origin{};  ///< mm LPS: the middle of the square, moved into the plane; else the plane's origin as it is
+};
+/// A bent plane becomes the plane again.
+struct FlattenPlane {
   std::size_t resection = 0;
   std::size_t plane = 0;
 };
@@ -59,8 +72,8 @@ struct RemoveMeasure {
   std::size_t measure = 0;
 };
 
-using AnyEdit = std::variant<MovePlane, AddResection, RemoveResection, RenameResection, AddPlane, RemovePlane, SetSafetyMargin,
-                             AssignIsland, ReleaseIsland, AddMeasure, RemoveMeasure>;
+using AnyEdit = std::variant<MovePlane, AddResection, RemoveResection, RenameResection, AddPlane, RemovePlane, BendPlane,
+                             FlattenPlane, SetSafetyMargin, AssignIsland, ReleaseIsland, AddMeasure, RemoveMeasure>;
 /// Any of them. A class of its own: std::apply must not be found beside apply().
 struct PlanEdit {
   template <typename Edit>

@@ -1,6 +1,7 @@
 #include "planning/resection/resection_plan.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "reconstruction/errors.h"
@@ -13,6 +14,18 @@ HalfSpace checkedPlane(const HalfSpace& plane) {
     throw PlanningError("The plane's origin and normal must be finite numbers and the normal must not be zero.");
   }
   return {plane.origin, plane.normal / length};
+}
+
+ResectionPlane checkedPlane(const ResectionPlane& plane) {
+  const HalfSpace flat = checkedPlane(static_cast<const HalfSpace&>(plane));
+  return {flat, plane.bend ? std::optional(checkedBend(flat, *plane.bend)) : std::nullopt};
+}
+
+bool hasBends(const ResectionPlan& plan) {
+  return std::any_of(plan.resections.begin(), plan.resections.end(), [](const Resection& resection) {
+    return std::any_of(resection.planes.begin(), resection.planes.end(),
+                       [](const ResectionPlane& p) { return p.bend.has_value(); });
+  });
 }
 
 HalfSpace movedAlongNormal(const HalfSpace& plane, double mm) { return {plane.origin + mm * plane.normal, plane.normal}; }

@@ -1,17 +1,18 @@
 #pragma once
 // Purpose: what is to be resected. A resection is the intersection of its planes' half-spaces; a plan is the union of its
-// resections. Frame: mm LPS. A plane's unit normal points to the RESECTED side.
+// resections. Frame: mm LPS. A plane's unit normal points to the RESECTED side. A plane may be bent: its half-space is then what
+// lies above the bent surface.
 
 #include <string>
 #include <vector>
 
-#include "reconstruction/mesh/cut.h"
+#include "planning/resection/bend.h"
 
 namespace glisson {
 
 struct Resection {
-  std::string name;               ///< "Resection 1"
-  std::vector<HalfSpace> planes;  ///< resected = inside all of them
+  std::string name;                    ///< "Resection 1"
+  std::vector<ResectionPlane> planes;  ///< resected = inside all of them
   bool operator==(const Resection&) const = default;
 };
 
@@ -46,6 +47,10 @@ struct ResectionPlan {
 
 /// With a unit normal. Throws PlanningError where origin or normal is not finite or the normal is zero.
 HalfSpace checkedPlane(const HalfSpace& plane);
+/// The same; its bend as checkedBend() has it.
+ResectionPlane checkedPlane(const ResectionPlane& plane);
+/// Whether any plane of the plan is bent.
+bool hasBends(const ResectionPlan& plan);
 
 /// Translates along the plane's own normal (mm), or within the plane.
 HalfSpace movedAlongNormal(const HalfSpace& plane, double mm);

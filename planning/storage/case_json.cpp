@@ -49,6 +49,19 @@ MeshDefects toDefects(const Json& json) {
   return d;
 }
 
+Json fromBend(const Bend& bend) {
+  return {{"u", fromVector(bend.u)}, {"halfSizeMm", bend.halfSizeMm}, {"heightsMm", bend.heightsMm}};
+}
+
+/// Checked; what fromBend() wrote comes back bit for bit.
+Bend toBend(const Json& json, const HalfSpace& plane) {
+  const Json& heights = json.at("heightsMm");
+  if (!heights.is_array() || heights.size() != Bend().heightsMm.size()) {
+    throw std::runtime_error("a plane's bend has not 16 heights");
+  }
+  return checkedBend(plane, {toVector(json.at("u")), json.at("halfSizeMm").get<double>(), heights.get<std::array<double, 16>>()});
+}
+
 Json fromReconstruction(const Reconstruction& r) {
   Json json;
   json["parameters"] = parametersJson(r.parameters);
@@ -97,8 +110,11 @@ Json fromPlans(const std::vector<ResectionPlan>& plans) {
     Json resections = Json::array();
     for (const Resection& resection : plan.resections) {
       Json planes = Json::array();
-      for (const HalfSpace& plane : resection.planes) {
+      for (const ResectionPlane& plane : resection.planes) {
         planes.push_back({{"originMm", fromVector(plane.origin)}, {"normal", fromVector(plane.normal)}});
+        if (plane.bend) {
+          planes.back()["bend"] = fromBend(*plane.bend);
+        }
       }
       resections.push_back({{"name", resection.name}, {"planes", planes}});
     }
@@ -124,10 +140,13 @@ std::vector<ResectionPlan> toPlans(const Json& json) {
       Resection resection;
       resection.name = cut.at("name");
       for (const Json& plane : cut.at("planes")) {
-        resection.planes.push_back({toVector(plane.at("originMm")), toVector(plane.at("normal"))});
+        resection.planes.emplace_back(toVector(plane.at("originMm")), toVector(plane.at("normal")));
         const double length = resection.planes.back().normal.norm();
         if (std::abs(length - 1) > 1e-6) {
           throw std::runtime_error("a plane's normal is not of unit length");
+        }
+        if (plane.contains("bend")) {
+          resection.planes.back().bend = toBend(plane.at("bend"), resection.planes.back());
         }
       }
       plan.resections.push_back(std::move(resection));

@@ -84,7 +84,8 @@ std::string plansText(const std::vector<ResectionPlan>& plans) {
     (void)caseJson::toPlans(Json::parse(text));
   } catch (const std::exception&) {
     throw PlanningError(
-        "The plan holds a number that is not finite or a normal that is not of unit length; place the plane again.");
+        "The plan holds a number that is not finite, a normal that is not of unit length or a bend that is none; place the plane "
+        "again.");
   }
   return text;
 }
@@ -102,9 +103,11 @@ void setVersion(const Database& database) { database.execute(("PRAGMA user_versi
 
 /// What an edit of an older file has to do first; part of the edit's transaction.
 void bringUpToDate(const Database& database) {
-  if (versionOf(database) < kVersion) {
+  if (versionOf(database) < 2) {
     putDocument(database, "patient", factsText({}));
     database.execute("ALTER TABLE history ADD COLUMN name TEXT NOT NULL DEFAULT ''");
+  }
+  if (versionOf(database) < kVersion) {
     setVersion(database);
   }
 }

@@ -1,15 +1,18 @@
 #pragma once
-// Purpose: a case in the tables of its database, version 2. Private to storage/.
-//   document(key, json, crc)   'case', 'segmentation', 'model', 'plans', 'patient', 'territories' (once something was said),
-//   perhaps 'ct'; crc is CRC-32 of the text part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h; 'ct/N':
-//   embedded_ct.h ct_file(name, bytes, sha256) history(step, before, after, name, patient_before, patient_after)   the plans before
-//   and after each edit, and what it is called;
-//       the last two are null but for an edit of the patient, whose plans are equal
-// Version 1 has no 'patient', no names of edits, and plans without islands and measures. It is read as it is, and becomes version 2
-// in the transaction of the first edit of its plans or patient: an older program then refuses it instead of dropping what it does
-// not know. A file of version 2 from before edits of the patient were recorded gets the last two columns with the first of them.
+// Purpose: a case in the tables of its database, version 3. Private to storage/.
+//   document(key, json, crc)   'case', 'segmentation', 'model', 'plans', 'patient', perhaps 'territories' and 'ct'; crc is CRC-32
+//   part(key, data)            'mask/N', 'liver', 'tumour', 'mesh/ID': packing.h; 'ct/N': embedded_ct.h
+//   ct_file(name, bytes, sha256)
+//   history(step, before, after, name, patient_before, patient_after)
+//     the plans before and after each edit, and what it is called; the last two are null but for an edit of the patient, whose
+//     plans are equal
+// Version 1 has no 'patient', no names of edits, and plans without islands and measures; version 2 no bent planes. An older version
+// is read as it is, and becomes this one in the transaction of the first edit of its plans, patient or territories: an older
+// program then refuses it instead of dropping what it does not know. A file of version 2 from before edits of the patient were
+// recorded gets the last two columns with the first of them.
 // The version goes up only where an older program would show or store something wrong: it takes an edit of the patient for one that
-// changes nothing, a structure that was accepted for one that nobody has accepted, and leaves an embedded CT alone.
+// changes nothing, a structure that was accepted for one that nobody has accepted, territories for not confirmed, and leaves an
+// embedded CT alone.
 
 #include <map>
 
@@ -20,7 +23,7 @@
 namespace glisson::caseTables {
 
 inline constexpr std::int64_t kApplicationId = 0x476C6973;  ///< "Glis"
-inline constexpr std::int64_t kVersion = 2;
+inline constexpr std::int64_t kVersion = 3;
 
 /// What the meshes in the file were written from, so that an unchanged mesh is not written again.
 using StoredMeshes = std::map<std::string, std::shared_ptr<const Reconstruction>>;

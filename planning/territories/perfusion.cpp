@@ -110,8 +110,10 @@ struct CellRow {
 /// Nothing of the box remains: one resection has it as a whole.
 bool isResected(const Box& box, const std::vector<ImageResection>& plan) {
   return std::any_of(plan.begin(), plan.end(), [&](const ImageResection& resection) {
-    return !resection.planes.empty() && std::all_of(resection.planes.begin(), resection.planes.end(), [&](const ImagePlane& plane) {
+    return !resection.takesNothing() && std::all_of(resection.planes.begin(), resection.planes.end(), [&](const ImagePlane& plane) {
       return plane.distance(box.centre) >= plane.support(box.half);
+    }) && std::all_of(resection.bends.begin(), resection.bends.end(), [&](const BentSurface& bend) {
+      return bend.above(box.centre) >= bend.reach(box.half);
     });
   });
 }

@@ -3,15 +3,14 @@
 namespace glisson {
 
 namespace {
-/// Where the way from `from` to `to` enters the resected region, 0..1; nothing where it stays outside or only touches it.
+/// Where the way from `from` to `to` enters the resected region, 0..1; nothing where it stays outside or only touches it. The way
+/// is from one voxel to the next: over it a bent plane is taken as flat.
 std::optional<double> entry(const Vec3& from, const Vec3& to, const std::vector<ImageResection>& plan) {
   std::optional<double> first;
   for (const ImageResection& resection : plan) {
     double begin = 0;
-    double end = resection.planes.empty() ? 0 : 1;
-    for (const ImagePlane& plane : resection.planes) {
-      const double a = plane.distance(from);
-      const double b = plane.distance(to);
+    double end = resection.takesNothing() ? 0 : 1;
+    const auto keepAbove = [&](double a, double b) {
       if (a < 0 && b < 0) {
         end = 0;
       } else if (a < 0) {
@@ -19,6 +18,12 @@ std::optional<double> entry(const Vec3& from, const Vec3& to, const std::vector<
       } else if (b < 0) {
         end = std::min(end, a / (a - b));
       }
+    };
+    for (const ImagePlane& plane : resection.planes) {
+      keepAbove(plane.distance(from), plane.distance(to));
+    }
+    for (const BentSurface& bend : resection.bends) {
+      keepAbove(bend.above(from), bend.above(to));
     }
     constexpr double kTouching = 1e-9;
     if (end - begin > kTouching && (!first || begin < *first)) {

@@ -129,7 +129,7 @@ std::vector<CutPiece> surfaceOf(const VoxelRows& rows, const Vec3& spacing, cons
     std::vector<std::size_t> origin;
     const VoxelRows voxels = voxelsAlong(pieces, rows, origin);
     pieces = cutSurface(voxels, spacing, plan.resections);
-    std::erase_if(pieces, [&](const CutPiece& piece) { return !plan.sides->separates(piece, plan.resections); });
+    std::erase_if(pieces, [&](const CutPiece& piece) { return !plan.sides->separates(piece); });
     for (CutPiece& piece : pieces) {
       piece.run = origin[piece.run];
     }
@@ -222,7 +222,7 @@ TumourAssessment PlanAssessor::Impl::assessTumour(const Part& tumour, const Plan
     return result;
   }
   result.state = resected == 0 ? TumourState::Left : TumourState::Removed;
-  const Margin margin = marginOf(tumour.rows, geometry.spacing, cut, plan.resections);
+  const Margin margin = marginOf(tumour.rows, geometry.spacing, cut);
   if (!std::isfinite(margin.mm)) {
     return result;
   }
@@ -286,7 +286,7 @@ PlanAssessment PlanAssessor::assess(const ResectionPlan& source) const {
   }
   for (const Impl::Part& vessel : impl_->vessels) {
     const std::vector<CutPiece> pieces = surfaceOf(vessel.rows, spacing, plan);
-    auto crossings = vesselCrossings(vessel.id, vessel.name, vessel.rows, pieces, impl_->geometry, plan.resections);
+    auto crossings = vesselCrossings(vessel.id, vessel.name, vessel.rows, pieces, impl_->geometry);
     result.vesselsCrossed.insert(result.vesselsCrossed.end(), crossings.begin(), crossings.end());
   }
   return result;

@@ -5,7 +5,9 @@
 #include <numeric>
 
 #include "planning/volumetry/box_fraction.h"
+#include "planning/volumetry/flat_stretches.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/parallel.h"
 
 namespace glisson {
 
@@ -225,27 +227,79 @@ std::int64_t Resected::totalUnits() const { return std::accumulate(units.begin()
 std::vector<ImageResection> toImage(const ResectionPlan& plan, const ImageGeometry& geometry) {
   std::vector<ImageResection> resections(plan.resections.size());
   for (std::size_t r = 0; r < resections.size(); ++r) {
-    for (const HalfSpace& plane : plan.resections[r].planes) {
+    for (const ResectionPlane& plane : plan.resections[r].planes) {
       if (!plane.origin.allFinite() || !plane.normal.allFinite() || plane.normal.norm() < 1e-12) {
         throw PlanningError(plan.resections[r].name + " has a plane that is not finite; place it again.");
       }
-      resections[r].planes.push_back(toImage(plane, geometry));
+      if (plane.bend) {
+        resections[r].bends.push_back(BentSurface(checkedPlane(plane)).inFrame(geometry));
+      } else {
+        resections[r].planes.push_back(toImage(plane, geometry));
+      }
     }
   }
   return resections;
 }
 
+namespace {
+/// The runs [begin, end) of a plan with bends; cutAreaMm2 is right where the plan is one plane.
+Resected resectBent(const VoxelRows& rows, std::size_t begin, std::size_t end, const Vec3& spacing,
+                    const std::vector<ImageResection>& plan) {
+  Resected part;
+  part.units.resize(plan.size());
+  part.cutAreaMm2.resize(plan.size());
+  FlatStretches stretches(plan, spacing);
+  for (std::size_t n = begin; n < end; ++n) {
+    stretches.along(rows.runs[n], [&](const RowRun& run, const std::vector<ImageResection>& flat) {
+      Counter counter(spacing, flat, part);
+      counter.count(run);
+      part.cutAreaMm2[0] += counter.singlePlaneArea();
+    });
+  }
+  return part;
+}
+
+/// In parts of a fixed size and added in their order, so that the sums do not depend on the threads.
+Resected resectBent(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {
+  constexpr std::size_t kRuns = 512;
+  std::vector<Resected> parts((rows.runs.size() + kRuns - 1) / kRuns);
+  parallelFor(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      parts[n] = resectBent(rows, n * kRuns, std::min((n + 1) * kRuns, rows.runs.size()), spacing, plan);
+    }
+  });
+  Resected sum;
+  sum.units.resize(plan.size());
+  sum.cutAreaMm2.resize(plan.size());
+  for (const Resected& part : parts) {
+    for (std::size_t r = 0; r < plan.size(); ++r) {
+      sum.units[r] += part.units[r];
+      sum.cutAreaMm2[r] += part.cutAreaMm2[r];
+    }
+  }
+  return sum;
+}
+}  // namespace
+
 Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {
   Resected result;
-  result.units.resize(plan.size());
-  result.cutAreaMm2.resize(plan.size());
-  Counter counter(spacing, plan, result);
-  for (const RowRun& run : rows.runs) {
-    counter.count(run);
-  }
-  if (plan.size() == 1 && plan[0].planes.size() == 1) {
-    result.cutAreaMm2[0] = counter.singlePlaneArea();
-    return result;
+  if (hasBends(plan)) {
+    result = resectBent(rows, spacing, plan);
+    if (plan.size() == 1 && plan[0].bends.size() + plan[0].planes.size() == 1) {
+      return result;
+    }
+    result.cutAreaMm2.assign(plan.size(), 0);
+  } else {
+    result.units.resize(plan.size());
+    result.cutAreaMm2.resize(plan.size());
+    Counter counter(spacing, plan, result);
+    for (const RowRun& run : rows.runs) {
+      counter.count(run);
+    }
+    if (plan.size() == 1 && plan[0].planes.size() == 1) {
+      result.cutAreaMm2[0] = counter.singlePlaneArea();
+      return result;
+    }
   }
   for (const CutPiece& piece : cutSurface(rows, spacing, plan)) {
     result.cutAreaMm2[piece.resection] += areaOf(piece.polygon);
@@ -289,8 +343,10 @@ void appendParts(const RowRun& run, const Vec3& spacing, const std::vector<Image
 
 std::vector<RunPart> partsOf(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {
   std::vector<RunPart> parts;
+  FlatStretches stretches(plan, spacing);
   for (const RowRun& run : rows.runs) {
-    appendParts(run, spacing, plan, parts);
+    stretches.along(
+        run, [&](const RowRun& piece, const std::vector<ImageResection>& flat) { appendParts(piece, spacing, flat, parts); });
   }
   return parts;
 }
@@ -298,17 +354,20 @@ std::vector<RunPart> partsOf(const VoxelRows& rows, const Vec3& spacing, const s
 std::vector<CutPiece> cutSurface(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {
   std::vector<CutPiece> pieces;
   std::vector<Polygon> parts;
+  FlatStretches stretches(plan, spacing);
   for (std::size_t n = 0; n < rows.runs.size(); ++n) {
-    const Box box = boxOf(rows.runs[n], spacing);
-    for (std::size_t r = 0; r < plan.size(); ++r) {
-      for (std::size_t p = 0; p < plan[r].planes.size(); ++p) {
-        parts.clear();
-        appendOutside(ownSection(box, plan[r], p), plan[r].planes[p], r, 0, box, plan, parts);
-        for (Polygon& part : parts) {
-          pieces.push_back({std::move(part), n, r, p});
+    stretches.along(rows.runs[n], [&](const RowRun& run, const std::vector<ImageResection>& flat) {
+      const Box box = boxOf(run, spacing);
+      for (std::size_t r = 0; r < flat.size(); ++r) {
+        for (std::size_t p = 0; p < flat[r].planes.size(); ++p) {
+          parts.clear();
+          appendOutside(ownSection(box, flat[r], p), flat[r].planes[p], r, 0, box, flat, parts);
+          for (Polygon& part : parts) {
+            pieces.push_back({std::move(part), n, r, flat[r].planes[p].normal});
+          }
         }
       }
-    }
+    });
   }
   return pieces;
 }

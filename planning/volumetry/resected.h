@@ -3,6 +3,7 @@
 // Volumes are counted in units of 2^-32 voxel, in integers, so that resected + remnant = total exactly, whatever the planes are.
 // One plane: closed form per run of voxels. Several planes: runs that only one plane cuts are taken as one box, the others are
 // halved down to single voxels, whose parts are convex bodies. Where resections overlap, the first one has the voxel's part.
+// Bent planes: flat_stretches.h.
 
 #include <cstdint>
 #include <vector>
@@ -15,6 +16,9 @@ inline constexpr double kUnitsPerVoxel = 4294967296.0;
 
 struct ImageResection {
   std::vector<ImagePlane> planes;
+  std::vector<BentSurface> bends{};  ///< in the image frame
+
+  [[nodiscard]] bool takesNothing() const { return planes.empty() && bends.empty(); }
 };
 /// The plan in the image frame. Resections without planes take nothing. Throws PlanningError where a plane is not finite.
 std::vector<ImageResection> toImage(const ResectionPlan& plan, const ImageGeometry& geometry);
@@ -42,9 +46,10 @@ struct CutPiece {
   Polygon polygon;  ///< image frame, mm
   std::size_t run = 0;
   std::size_t resection = 0;
-  std::size_t plane = 0;
+  Vec3 normal = Vec3::UnitZ();  ///< unit, to the resected side
 };
-/// The resection surface inside the voxels: the boundary of the plan's region, piece by piece.
+/// The resection surface inside the voxels: the boundary of the plan's region, piece by piece. A bent plane's pieces are flat in
+/// each voxel, within (width^2 x curvature) / 8 of the surface.
 std::vector<CutPiece> cutSurface(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
 
 }  // namespace glisson

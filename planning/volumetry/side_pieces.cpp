@@ -191,10 +191,10 @@ std::int64_t SidePieces::switchedUnits(const VoxelRows& rows, const std::vector<
   return brought;
 }
 
-bool SidePieces::separates(const CutPiece& cut, const std::vector<ImageResection>& plan) const {
+bool SidePieces::separates(const CutPiece& cut) const {
   const Vec3 middle =
       std::accumulate(cut.polygon.begin(), cut.polygon.end(), Vec3(0, 0, 0)) / static_cast<double>(cut.polygon.size());
-  const Vec3 step = 1e-3 * spacing_.minCoeff() * plan[cut.resection].planes[cut.plane].normal;
+  const Vec3 step = 1e-3 * spacing_.minCoeff() * cut.normal;
   const auto switchedAt = [&](PlanSide side, const Vec3& p) {
     const auto piece = pieceAt(side, p);
     return piece && pieces_[*piece].switched;

@@ -44,7 +44,7 @@ class SidePieces {
   [[nodiscard]] std::int64_t switchedUnits(const VoxelRows& rows, const std::vector<ImageResection>& plan,
                                            std::vector<std::int64_t>* perPiece = nullptr) const;
   /// Whether a piece of the cut surface still has different sides once the islands are switched.
-  [[nodiscard]] bool separates(const CutPiece& cut, const std::vector<ImageResection>& plan) const;
+  [[nodiscard]] bool separates(const CutPiece& cut) const;
 
  private:
   [[nodiscard]] std::optional<std::size_t> partAt(int i, int j, int k) const;

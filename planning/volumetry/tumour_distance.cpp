@@ -103,7 +103,7 @@ TumourDistance::Way TumourDistance::from(const Vec3& point, double within) const
   return {mm, mm > kOnPlaneMm ? mm - resolutionMm(best.step / mm, geometry_.spacing) : mm};
 }
 
-MarginMap marginMap(const TumourDistance& tumours, const PlaneGrid& grid, double within) {
+MarginMap marginMap(const TumourDistance& tumours, const PlaneGrid& grid, double within, const BentSurface* bent) {
   const auto columns = static_cast<std::size_t>(grid.columns);
   MarginMap map{grid, std::vector<TumourDistance::Way>(columns * static_cast<std::size_t>(grid.rows))};
   if (tumours.empty()) {
@@ -113,7 +113,7 @@ MarginMap marginMap(const TumourDistance& tumours, const PlaneGrid& grid, double
     for (std::size_t row = begin; row < end; ++row) {
       for (std::size_t column = 0; column < columns; ++column) {
         const Vec3 point = grid.origin + grid.stepMm * (static_cast<double>(column) * grid.u + static_cast<double>(row) * grid.v);
-        map.ways[row * columns + column] = tumours.from(point, within);
+        map.ways[row * columns + column] = tumours.from(bent != nullptr ? bent->foot(point) : point, within);
       }
     }
   });

@@ -45,7 +45,8 @@ class TumourDistance {
   std::vector<Node> nodes_;
 };
 
-/// A rectangle of points origin + stepMm (column u + row v) on a plane; u and v are unit and perpendicular.
+/// A rectangle of points origin + stepMm (column u + row v) on a plane; u and v are unit and perpendicular. Over a bent plane its
+/// points stand for those of the surface over or under them.
 struct PlaneGrid {
   Vec3 origin = Vec3::Zero();
   Vec3 u = Vec3::UnitX();
@@ -61,7 +62,7 @@ struct MarginMap {
 };
 
 /// The grid's points, rows in parallel; the same for any number of threads. A point farther than `within` is not looked up exactly:
-/// infinity.
-MarginMap marginMap(const TumourDistance& tumours, const PlaneGrid& grid, double within);
+/// infinity. `bent`: from the surface's points over or under the grid's; null: from the grid's.
+MarginMap marginMap(const TumourDistance& tumours, const PlaneGrid& grid, double within, const BentSurface* bent = nullptr);
 
 }  // namespace glisson

@@ -247,6 +247,71 @@ void keepProjection(const Vec3& p, const std::vector<ImagePlane>& planes, double
     }
   }
 }
+/// Where to begin: the nearest of the surface's points around the point under or over `p`.
+Vec3 nearestSample(const Vec3& p, const BentSurface& surface) {
+  constexpr int kSteps = 6;
+  const Vec3 under = surface.foot(p);
+  const double radius = (under - p).norm();
+  Vec3 nearest = under;
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    for (int j = -kSteps; j <= kSteps; ++j) {
+      const Vec3 q = surface.foot(p + radius / kSteps * (i * surface.u() + j * surface.v()));
+      if ((q - p).squaredNorm() < (nearest - p).squaredNorm()) {
+        nearest = q;
+      }
+    }
+  }
+  return nearest;
+}
+
+/// Whether a single bent plane is surely no farther than `mm`: above() is the way along its normal.
+bool isNearer(const Vec3& p, const ImageResection& resection, double mm) {
+  return resection.planes.empty() && resection.bends.size() == 1 && -resection.bends[0].above(p) <= mm;
+}
+
+/// The same for a resection with bent planes: each is taken as the plane that touches it where the last step ended.
+void keepBentProjection(const Vec3& p, const ImageResection& resection, double& best, Vec3& normal) {
+  std::vector<Vec3> feet;
+  bool inside =
+      std::all_of(resection.planes.begin(), resection.planes.end(), [&](const ImagePlane& f) { return f.distance(p) >= 0; });
+  for (const BentSurface& surface : resection.bends) {
+    inside = inside && surface.above(p) >= 0;
+    feet.push_back(nearestSample(p, surface));
+  }
+  if (inside) {
+    best = 0;
+    return;
+  }
+  constexpr int kTurns = 30;
+  constexpr double kSettledMm = 1e-4;
+  double depth = kInfinity;
+  Vec3 along = Vec3::UnitZ();
+  for (int turn = 0; turn < kTurns; ++turn) {
+    std::vector<ImagePlane> planes = resection.planes;
+    for (std::size_t n = 0; n < feet.size(); ++n) {
+      const HalfSpace touching = resection.bends[n].tangentAt(feet[n]);
+      planes.push_back({touching.normal, -touching.normal.dot(touching.origin)});
+    }
+    const double before = depth;
+    depth = kInfinity;
+    if (planes.size() == 1) {
+      depth = std::max(0.0, -planes[0].distance(p));
+      along = planes[0].normal;
+    } else {
+      keepProjection(p, planes, depth, along);
+    }
+    if (!std::isfinite(depth) || std::abs(depth - before) < kSettledMm) {
+      break;
+    }
+    for (std::size_t n = 0; n < feet.size(); ++n) {
+      feet[n] = resection.bends[n].foot(p + depth * along);
+    }
+  }
+  if (depth < best) {
+    best = depth;
+    normal = along;
+  }
+}
 }  // namespace
 
 double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal) {
@@ -256,10 +321,15 @@ double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vect
     const Box box = boxOf(run, spacing);
     for (unsigned corner = 0; corner < 8; ++corner) {
       const Vec3 p = cornerOf(box, corner);
+      if (std::any_of(plan.begin(), plan.end(), [&](const ImageResection& r) { return isNearer(p, r, greatest); })) {
+        continue;
+      }
       double depth = kInfinity;
       Vec3 along = Vec3::UnitZ();
       for (const ImageResection& resection : plan) {
-        if (resection.planes.size() == 1) {
+        if (!resection.bends.empty()) {
+          keepBentProjection(p, resection, depth, along);
+        } else if (resection.planes.size() == 1) {
           const double outside = std::max(0.0, -resection.planes[0].distance(p));
           if (outside < depth) {
             depth = outside;
@@ -278,13 +348,13 @@ double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vect
   return greatest;
 }
 
-Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& cut, const std::vector<ImageResection>& plan) {
+Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& cut) {
   const CutDistance::Way way = cut.shortest(rows, spacing);
   if (!std::isfinite(way.mm)) {
     return {way.mm, way.mm, way.from, way.to};
   }
   const CutPiece& piece = cut.pieces()[way.piece];
-  const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : plan[piece.resection].planes[piece.plane].normal;
+  const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : piece.normal;
   return {way.mm, way.mm - resolutionMm(along, spacing), way.from, way.to};
 }
 

@@ -49,10 +49,11 @@ struct Margin {
   Vec3 from = Vec3::Zero();  ///< of the shortest way: on the boxes
   Vec3 to = Vec3::Zero();    ///< on the surface
 };
-Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& cut, const std::vector<ImageResection>& plan);
+Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& cut);
 
 /// The greatest distance of the boxes' points to the resected region, mm; the direction it is measured along in `normal`. Exact for
-/// one resection (the distance to a convex body is greatest at a corner); several: over the corners.
+/// one resection of flat planes (the distance to a convex body is greatest at a corner); several, or bent: over the corners. To a
+/// bent surface by touching planes from the nearest of 169 of its points, within 0.01 mm where its radius is larger than the depth.
 double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal);
 
 /// Half the extent of a voxel along a unit direction: what a margin along it cannot resolve.

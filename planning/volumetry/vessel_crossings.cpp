@@ -99,8 +99,7 @@ double diameterOf(double area) { return 2 * std::sqrt(area / std::numbers::pi); 
 }  // namespace
 
 std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::string& name, const VoxelRows& rows,
-                                            const std::vector<CutPiece>& pieces, const ImageGeometry& geometry,
-                                            const std::vector<ImageResection>& plan) {
+                                            const std::vector<CutPiece>& pieces, const ImageGeometry& geometry) {
   const Vec3& spacing = geometry.spacing;
   UnionFind groups = connect(pieces, rows, spacing[0]);
   std::map<std::uint32_t, Crossing> found;
@@ -111,7 +110,7 @@ std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::st
     Crossing& crossing = found[groups.find(n)];
     crossing.area += area;
     crossing.moment += area * middle;
-    crossing.normal += area * plan[pieces[n].resection].planes[pieces[n].plane].normal;
+    crossing.normal += area * pieces[n].normal;
   }
   std::vector<VesselCrossing> crossings;
   for (const auto& [first, crossing] : found) {

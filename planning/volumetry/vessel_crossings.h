@@ -14,7 +14,6 @@ namespace glisson {
 /// clear: the main axis of the vessel's voxels within a ball around the crossing, its variance at least twice the next one's.
 /// `rows`: the vessel's voxels inside L; `pieces`: the resection surface inside them, its runs those of `rows`. Largest first.
 std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::string& name, const VoxelRows& rows,
-                                            const std::vector<CutPiece>& pieces, const ImageGeometry& geometry,
-                                            const std::vector<ImageResection>& plan);
+                                            const std::vector<CutPiece>& pieces, const ImageGeometry& geometry);
 
 }  // namespace glisson

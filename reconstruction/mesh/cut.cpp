@@ -10,49 +10,27 @@
 #include <tuple>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/mesh/cut_section.h"
 #include "reconstruction/mesh/edges.h"
-#include "reconstruction/mesh/planar_fill.h"
+#include "reconstruction/mesh/refine.h"
 #include "reconstruction/mesh/self_intersection.h"
 
 namespace glisson {
 
+using namespace cutting;
+
 namespace {
-constexpr double kOnPlaneMm = 1e-7;
 constexpr double kVolumeTolerance = 1e-9;
-
-/// How finely the two halves are placed: exact, or on the places that floats have.
-struct Grid {
-  double onPlaneMm = kOnPlaneMm;
-  bool floats = false;
-
-  [[nodiscard]] Vec3 place(const Vec3& v) const {
-    Vec3 placed = v;
-    for (int axis = 0; floats && axis < 3; ++axis) {
-      // Volatile, because GCC 12 at -O2 drops the way through float where it makes vectors of it.
-      const volatile auto narrow = static_cast<float>(v[axis]);
-      placed[axis] = static_cast<double>(narrow);
-    }
-    return placed;
-  }
-};
-
-/// The mesh split along a plane; both parts and the section index the same vertices.
-struct Split {
-  std::vector<Vec3> vertices;
-  std::vector<bool> onPlane;
-  std::vector<Triangle> above;
-  std::vector<Triangle> below;
-  std::vector<Triangle> section;  ///< facing the plane's normal
-};
 
 class Splitter {
  public:
-  Splitter(const SurfaceMesh& mesh, const HalfSpace& plane, const Grid& grid) : mesh_(mesh), normal_(plane.normal), grid_(grid) {
+  Splitter(const SurfaceMesh& mesh, const Shape& shape, const Grid& grid)
+      : mesh_(mesh), shape_(shape), normal_(shape.plane.normal), grid_(grid) {
     split_.vertices = mesh.vertices;
     heights_.reserve(mesh.vertices.size());
     split_.onPlane.reserve(mesh.vertices.size());
     for (Vec3& v : split_.vertices) {
-      const double height = normal_.dot(v - plane.origin);
+      const double height = shape.height(v);
       split_.onPlane.push_back(std::abs(height) <= grid.onPlaneMm);
       heights_.push_back(split_.onPlane.back() ? 0.0 : height);
       if (grid.floats && split_.onPlane.back()) {
@@ -129,7 +107,7 @@ class Splitter {
     }
     const auto [found, isNew] = crossings_.try_emplace({a, b}, static_cast<std::uint32_t>(split_.vertices.size()));
     if (isNew) {
-      const double share = heights_[a] / (heights_[a] - heights_[b]);
+      const double share = shape_.crossing(mesh_.vertices[a], mesh_.vertices[b], heights_[a], heights_[b]);
       const Vec3 point = mesh_.vertices[a] + share * (mesh_.vertices[b] - mesh_.vertices[a]);
       split_.vertices.push_back(grid_.place(point));
       split_.onPlane.push_back(true);
@@ -138,28 +116,13 @@ class Splitter {
   }
 
   const SurfaceMesh& mesh_;
+  const Shape& shape_;
   Vec3 normal_;
   Grid grid_;
   std::vector<double> heights_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
   Split split_;
 };
-
-/// Sides of `triangles` with both ends on the plane.
-std::vector<BorderEdge> sidesOnPlane(const std::vector<Triangle>& triangles, const std::vector<bool>& onPlane) {
-  std::vector<BorderEdge> sides;
-  for (const Triangle& t : triangles) {
-    for (std::size_t n = 0; n < 3; ++n) {
-      const std::uint32_t a = t[n];
-      const std::uint32_t b = t[(n + 1) % 3];
-      if (onPlane[a] && onPlane[b]) {
-        sides.push_back({a, b});
-      }
-    }
-  }
-  std::sort(sides.begin(), sides.end());
-  return sides;
-}
 
 /// Drops triangles that lost a corner and pairs of triangles folded onto each other: they enclose nothing.
 void dropCollapsed(std::vector<Triangle>& triangles) {
@@ -213,96 +176,6 @@ void weldOnPlane(Split& split) {
   }
 }
 
-/// Two directions that span the plane, e1 x e2 = normal; exact for a normal along an axis.
-std::array<Vec3, 2> basisOf(const Vec3& normal) {
-  Eigen::Index least = 0;
-  normal.cwiseAbs().minCoeff(&least);
-  const Vec3 axis = Vec3::Unit(least);
-  const Vec3 e1 = (axis - normal * normal.dot(axis)).normalized();
-  return {e1, normal.cross(e1)};
-}
-
-/// A side the section shares with an edge of the surface that touches the plane inside the section would have four triangles in one
-/// half: it gets a vertex of its own in its middle.
-void partFromTouchingEdges(Split& split, const std::set<BorderEdge>& touching, const Grid& grid) {
-  const auto replaceSide = [&](std::size_t n, std::size_t k, std::uint32_t middle) {
-    const Triangle t = split.section[n];
-    split.section[n] = {t[k], middle, t[(k + 2) % 3]};
-    split.section.push_back({middle, t[(k + 1) % 3], t[(k + 2) % 3]});
-  };
-  for (std::size_t n = 0; n < split.section.size(); ++n) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = split.section[n][k];
-      const std::uint32_t b = split.section[n][(k + 1) % 3];
-      if (!touching.contains(std::minmax({a, b}) == std::pair(a, b) ? BorderEdge{a, b} : BorderEdge{b, a})) {
-        continue;
-      }
-      const auto middle = static_cast<std::uint32_t>(split.vertices.size());
-      const Vec3 between = grid.place(0.5 * (split.vertices[a] + split.vertices[b]));
-      split.vertices.push_back(between);
-      split.onPlane.push_back(true);
-      replaceSide(n, k, middle);
-      for (std::size_t other = 0; other < split.section.size(); ++other) {
-        for (std::size_t j = 0; j < 3; ++j) {
-          if (split.section[other][j] == b && split.section[other][(j + 1) % 3] == a) {
-            replaceSide(other, j, middle);
-          }
-        }
-      }
-      k = static_cast<std::size_t>(-1);  // the triangle has new sides
-    }
-  }
-}
-
-/// Fills the section. False where its border cannot be filled.
-bool fillSection(Split& split, const Vec3& normal, const Grid& grid) {
-  const std::vector<BorderEdge> below = sidesOnPlane(split.below, split.onPlane);
-  std::vector<BorderEdge> border;  // the section lies left of it, seen against the normal
-  std::set<BorderEdge> touching;   // edges in the plane with both triangles on one side
-  const auto sort = [&](const std::vector<BorderEdge>& sides, bool collect) {
-    for (const BorderEdge& side : sides) {
-      const BorderEdge back{side[1], side[0]};
-      if (std::binary_search(sides.begin(), sides.end(), back)) {
-        touching.insert(std::min(side, back));
-      } else if (collect) {
-        border.push_back(back);
-      }
-    }
-  };
-  sort(below, true);
-  sort(sidesOnPlane(split.above, split.onPlane), false);
-  if (border.empty()) {
-    return true;
-  }
-  std::vector<std::uint32_t> corners;
-  for (const BorderEdge& edge : border) {
-    corners.push_back(edge[0]);
-    corners.push_back(edge[1]);
-  }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  const auto [e1, e2] = basisOf(normal);
-  std::vector<Vec2> points;
-  points.reserve(corners.size());
-  for (const std::uint32_t v : corners) {
-    points.emplace_back(e1.dot(split.vertices[v]), e2.dot(split.vertices[v]));
-  }
-  for (BorderEdge& edge : border) {
-    for (std::uint32_t& end : edge) {
-      end = static_cast<std::uint32_t>(std::lower_bound(corners.begin(), corners.end(), end) - corners.begin());
-    }
-  }
-  const auto fill = fillRegion(points, border);
-  if (!fill) {
-    return false;
-  }
-  for (const Triangle& t : *fill) {
-    split.section.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
-  }
-  partFromTouchingEdges(split, touching, grid);
-  return true;
-}
-
 SurfaceMesh closedPart(const Split& split, std::vector<Triangle> surface, bool turnSection) {
   SurfaceMesh part{split.vertices, std::move(surface)};
   for (Triangle t : split.section) {
@@ -318,11 +191,11 @@ SurfaceMesh closedPart(const Split& split, std::vector<Triangle> surface, bool t
 
 bool isSound(const SurfaceMesh& part) { return part.empty() || !part.defects().any(); }
 
-/// The cut at one plane; nothing where a half would not be sound.
-std::optional<CutResult> tryCut(const SurfaceMesh& mesh, const HalfSpace& plane, const Grid& grid, double volume) {
-  Split split = Splitter(mesh, plane, grid).run();
+/// The cut at one surface; nothing where a half would not be sound.
+std::optional<CutResult> tryCut(const SurfaceMesh& mesh, const Shape& shape, const Grid& grid, double volume) {
+  Split split = Splitter(mesh, shape, grid).run();
   weldOnPlane(split);
-  if (!fillSection(split, plane.normal, grid)) {
+  if (!fillSection(split, shape, grid)) {
     return std::nullopt;
   }
   if (grid.floats) {
@@ -343,13 +216,12 @@ std::optional<CutResult> tryCut(const SurfaceMesh& mesh, const HalfSpace& plane,
 }
 
 /// Do triangles that the cut made or moved meet others?
-bool crossesItself(const SurfaceMesh& part, const HalfSpace& plane, double nearMm, const ExecutionContext& context) {
+bool crossesItself(const SurfaceMesh& part, const Shape& shape, double nearMm, const ExecutionContext& context) {
   std::vector<std::uint32_t> atPlane;
   for (std::uint32_t n = 0; n < part.triangles.size(); ++n) {
     const Triangle& t = part.triangles[n];
-    if (std::any_of(t.begin(), t.end(), [&](std::uint32_t corner) {
-          return std::abs(plane.normal.dot(part.vertices[corner] - plane.origin)) <= nearMm;
-        })) {
+    if (std::any_of(t.begin(), t.end(),
+                    [&](std::uint32_t corner) { return std::abs(shape.height(part.vertices[corner])) <= nearMm; })) {
       atPlane.push_back(n);
     }
   }
@@ -383,7 +255,7 @@ CutResult cut(const SurfaceMesh& mesh, const HalfSpace& plane, const ExecutionCo
   // A section that touches itself within rounding cannot be filled; a few on-plane tolerances further on it can.
   for (const double step : {0.0, 2.5, -2.5, 6.1, -6.1, 13.3, -13.3, 31.7, -31.7}) {
     context.throwIfCancelled();
-    auto result = tryCut(mesh, {plane.origin + step * kOnPlaneMm * normal, normal}, {}, volume);
+    auto result = tryCut(mesh, {.plane = {plane.origin + step * kOnPlaneMm * normal, normal}}, {}, volume);
     if (result) {
       return std::move(*result);
     }
@@ -397,8 +269,8 @@ double floatSpacingMm(const SurfaceMesh& mesh) {
   return static_cast<double>(std::nextafter(farthest, std::numeric_limits<float>::infinity())) - static_cast<double>(farthest);
 }
 
-CutResult cutForFloats(const SurfaceMesh& mesh, const HalfSpace& plane, const ExecutionContext& context) {
-  const Vec3 normal = unitNormal(plane);
+namespace {
+CutResult cutForFloats(const SurfaceMesh& mesh, const Shape& shape, const ExecutionContext& context) {
   requireNoDefects(mesh);
   const double spacing = floatSpacingMm(mesh);
   // Vertices nearer to the plane than this would leave triangles that rounding can turn over; where a tolerance or a plane still
@@ -406,7 +278,7 @@ CutResult cutForFloats(const SurfaceMesh& mesh, const HalfSpace& plane, const Ex
   for (const double onPlane : {8.0, 16.0, 4.0, 32.0, 2.0}) {
     for (const double step : {0.0, 3.0, -3.0, 7.0, -7.0}) {
       context.throwIfCancelled();
-      const HalfSpace moved{plane.origin + step * spacing * normal, normal};
+      const Shape moved = shape.movedBy(step * spacing);
       auto result = tryCut(mesh, moved, {onPlane * spacing, true}, 0);
       const double near = (onPlane + 2) * spacing;
       if (result && !crossesItself(result->positive, moved, near, context) &&
@@ -416,6 +288,28 @@ CutResult cutForFloats(const SurfaceMesh& mesh, const HalfSpace& plane, const Ex
     }
   }
   throwNoSoundCut();
+}
+}  // namespace
+
+CutResult cutForFloats(const SurfaceMesh& mesh, const HalfSpace& plane, const ExecutionContext& context) {
+  return cutForFloats(mesh, Shape{.plane = {plane.origin, unitNormal(plane)}}, context);
+}
+
+CutResult cutForFloats(const SurfaceMesh& mesh, const CuttingSurface& surface, const ExecutionContext& context) {
+  Shape shape{.plane = {surface.plane.origin, unitNormal(surface.plane)}, .above = &surface.above};
+  // A triangle whose corners lie on the surface and on a circle of this radius leaves it by half of what is allowed.
+  constexpr double kLeastStepMm = 0.5;
+  constexpr double kMostStepMm = 20;
+  shape.stepMm = surface.mostCurved > 0 ? std::sqrt(kCurvedCutMm / surface.mostCurved) : kMostStepMm;
+  shape.stepMm = std::clamp(shape.stepMm, kLeastStepMm, kMostStepMm);
+  const double longest = 2 * shape.stepMm;
+  const double near = shape.stepMm;  // an edge this short cannot come nearer than the curve between its ends
+  const SurfaceMesh fine = splitLongEdges(mesh, longest, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const std::array<double, 3> heights{shape.height(a), shape.height(b), shape.height(c)};
+    const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
+    return *least <= near && *most >= -near;
+  });
+  return cutForFloats(fine, shape, context);
 }
 
 }  // namespace glisson

@@ -1,6 +1,7 @@
 #pragma once
 // Purpose: cuts a closed mesh by planes into closed, capped parts, in double precision (method.md 5).
 
+#include <functional>
 #include <vector>
 
 #include "reconstruction/execution_context.h"
@@ -36,6 +37,23 @@ CutResult cut(const SurfaceMesh& mesh, const HalfSpace& plane, const ExecutionCo
 /// most 7 u) are tried. So nothing moves farther than 40 u. |V1 + V2 - V| <= 1e-9 V of the mesh so moved. Throws and polls as
 /// cut() does.
 CutResult cutForFloats(const SurfaceMesh& mesh, const HalfSpace& plane, const ExecutionContext& context = {});
+
+/// A surface that stands over a plane as a graph.
+struct CuttingSurface {
+  HalfSpace plane;
+  /// How far a point lies above the surface along the plane's normal, mm: linear along the normal, with slope 1.
+  std::function<double(const Vec3&)> above;
+  double mostCurved = 0;  ///< no second derivative of the height over the plane is larger, 1/mm
+};
+
+/// The section follows a curved surface, at its corners exactly and between them within this, mm.
+inline constexpr double kCurvedCutMm = 0.05;
+
+/// cutForFloats() along a surface: positive is what lies above it. Long edges of the mesh near the surface are split first (their
+/// new corners on the places of floats), the mesh is cut where its edges cross the surface, and the section has inner points, close
+/// enough for kCurvedCutMm as long as no radius of the surface is below 5 mm. Both halves have the same section. The promises are
+/// those of cutForFloats(); the volume is that of the mesh with its edges split.
+CutResult cutForFloats(const SurfaceMesh& mesh, const CuttingSurface& surface, const ExecutionContext& context = {});
 
 /// The distance between neighbouring floats at the mesh's farthest coordinate, mm. Throws std::invalid_argument on an empty mesh.
 double floatSpacingMm(const SurfaceMesh& mesh);

@@ -201,6 +201,10 @@ SideOf Triangulation::findSide(std::uint32_t u, std::uint32_t v) const {
 }
 
 std::optional<SideOf> Triangulation::sideBetween(std::uint32_t u, std::uint32_t v) const {
+  if (isSurrounding(u)) {
+    // Its faces make no full turn; the side is as well seen from the other end.
+    return isSurrounding(v) ? std::nullopt : sideBetween(v, u);
+  }
   std::optional<SideOf> found;
   forFacesAround(u, [&](std::uint32_t face) {
     const Face& f = faces_[face];

@@ -63,7 +63,7 @@ inline std::shared_ptr<Segmentation> segmentationOf(const ImageGeometry& geometr
   return segmentation;
 }
 
-inline ResectionPlan planOf(std::initializer_list<std::vector<HalfSpace>> resections) {
+inline ResectionPlan planOf(std::initializer_list<std::vector<ResectionPlane>> resections) {
   ResectionPlan plan;
   plan.name = "Plan 1";
   for (const auto& planes : resections) {

@@ -215,5 +215,43 @@ TEST_F(CliPlanning, IslandThatIsNoneChangesNothingAndSaysSo) {
   expectRefusal(refused({"--island", "1,2,3,up"}), 2, "--island");
 }
 
+TEST_F(CliPlanning, BendTakesTheIntegralOfItsHeightsAndIsListed) {
+  const std::string plane = at(0, 0, 0) + ",1,0,0";
+  const Json flat = plan({"--dry-run", "--plane", plane});
+  EXPECT_FALSE(flat.contains("bends"));
+  const std::string zeros = "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0";
+  const Json none = plan({"--dry-run", "--plane", plane, "--bend", zeros});
+  EXPECT_NEAR(none["resectedMl"], flat["resectedMl"], 1e-6);
+  // All heights alike: the plane moved, whatever the half size.
+  const Json moved = plan({"--dry-run", "--plane", at(-3, 0, 0) + ",1,0,0"});
+  const Json lifted = plan({"--dry-run", "--plane", plane, "--bend=-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,40"});
+  EXPECT_NEAR(lifted["resectedMl"], moved["resectedMl"], 1e-6);
+  const Json bent = plan({"--plane", plane, "--bend", "0,0,0,0,0,9,9,0,0,9,9,0,0,0,0,0,70"});
+  EXPECT_LT(bent["resectedMl"].get<double>(), flat["resectedMl"].get<double>());
+  EXPECT_NEAR(bent["resectedMl"].get<double>() + bent["remnantMl"].get<double>(), bent["totalMl"].get<double>(), 1e-9);
+  ASSERT_EQ(bent["bends"].size(), 1U);
+  EXPECT_EQ(bent["bends"][0]["resection"], "Resection 1");
+  EXPECT_EQ(bent["bends"][0]["plane"], 1);
+  EXPECT_EQ(bent["bends"][0]["halfSizeMm"], 70);
+  EXPECT_EQ(bent["bends"][0]["heightsMm"][5], 9);
+  EXPECT_EQ(plan({})["bends"], bent["bends"]) << "kept in the case";
+  EXPECT_NE(cli({"plan", file_}).out.find("plane 1 of Resection 1 is bent"), std::string::npos);
+  const Finished exported = cli({"export", file_, "-o", folder_ / "out", "--accept-deviations"});
+  EXPECT_EQ(exported.exitCode, 0) << exported.err;
+}
+
+TEST_F(CliPlanning, BendThatIsNoneIsRefusedAndStoresNothing) {
+  const std::string before = bytesOf(file_);
+  const std::string plane = at(0, 0, 0) + ",1,0,0";
+  const std::string zeros = "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0";
+  expectRefusal(refused({"--bend", zeros}), 2, "--bend needs a placed plane");
+  expectRefusal(refused({"--plane", plane, "--bend", "0,0,0"}), 2, "sixteen heights");
+  expectRefusal(refused({"--plane", plane, "--bend", zeros + ",50,1"}), 2, "sixteen heights");
+  expectRefusal(refused({"--plane", plane, "--bend", zeros + ",x"}), 2, "no number");
+  expectRefusal(refused({"--plane", plane, "--bend", zeros + ",-5"}), 2, "half size");
+  expectRefusal(refused({"--plane", plane, "--bend", "5000" + zeros.substr(1)}), 2, "at most 1000 mm");
+  EXPECT_EQ(bytesOf(file_), before);
+}
+
 }  // namespace
 }  // namespace glisson::test

@@ -198,6 +198,54 @@ TEST_F(WindowTest, ADragInTheViewIsOneStepAndTheVolumeFollows) {
   EXPECT_EQ(document().plane()->origin, from.origin);
 }
 
+TEST_F(WindowTest, ABentPlaneIsOneStepADragAndFlatAgain) {
+  openSmallWithPlane();
+  ModelView& view = window->views().modelView();
+  const double flat = document().assessment().resectedMl;
+  const HalfSpace plane = *document().plane();
+  EXPECT_FALSE(find<QPushButton>("flattenPlane")->isEnabled());
+  click("bendPlane");
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(document().plane()->bend);
+  EXPECT_NEAR(document().assessment().resectedMl, flat, 1e-6) << "it begins as the plane";
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: bend plane");
+  EXPECT_NEAR((document().plane()->origin - plane.origin).dot(plane.normal), 0, 1e-9);
+  // The inner points, dragged to the remnant's side, take more.
+  find<QComboBox>("bendMoves")->setCurrentIndex(1);
+  emit find<QComboBox>("bendMoves")->activated(1);
+  const int steps = document().undoStack().count();
+  const Pixel at = view.camera().toPixel(controlPoint(*document().plane(), 5));
+  const Pixel towards = view.camera().toPixel(controlPoint(*document().plane(), 5) - 8 * plane.normal);
+  const auto post = [&](QEvent::Type type, const Pixel& where, Qt::MouseButton button) {
+    const QPointF pixel(where.x(), where.y());
+    QMouseEvent event(type, pixel, view.mapToGlobal(pixel), button,
+                      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&view, &event);
+  };
+  post(QEvent::MouseButtonPress, at, Qt::LeftButton);
+  post(QEvent::MouseMove, 0.5 * (at + towards), Qt::NoButton);
+  post(QEvent::MouseMove, towards, Qt::NoButton);
+  EXPECT_GT(document().assessment().resectedMl, flat) << "the numbers follow the drag";
+  post(QEvent::MouseButtonRelease, towards, Qt::LeftButton);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(document().undoStack().count(), steps + 1);
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: bend plane");
+  const Bend bent = *document().plane()->bend;
+  click("moveForward");
+  EXPECT_EQ(document().plane()->bend, bent) << "a moved plane keeps its bend";
+  click("flipPlane");
+  EXPECT_NEAR(document().assessment().remnantMl + document().assessment().resectedMl, document().assessment().totalMl, 1e-9);
+  ASSERT_TRUE(document().plane()->bend);
+  click("flattenPlane");
+  EXPECT_FALSE(document().plane()->bend);
+  EXPECT_FALSE(find<QPushButton>("bendPlane")->isChecked());
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: flatten plane");
+  find<QAction>("actionUndo")->trigger();
+  EXPECT_TRUE(document().plane()->bend);
+  click("placePlane");
+  EXPECT_FALSE(document().plane()->bend) << "placed anew it is flat";
+}
+
 TEST_F(WindowTest, TheCheckboxHidesAStructureInTheModel) {
   openSmall();
   auto* tree = find<QTreeWidget>("structureTree");

@@ -40,8 +40,8 @@ SurfaceMesh unevenBody(unsigned seed) {
   return mesh;
 }
 
-std::vector<HalfSpace> manyPlanes() {
-  std::vector<HalfSpace> planes;
+std::vector<ResectionPlane> manyPlanes() {
+  std::vector<ResectionPlane> planes;
   std::mt19937 random(7);
   const auto uniform = [&random] { return 2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0; };
   for (const double x : {0.0, -14.0, 3.3, 20.1}) {
@@ -94,7 +94,7 @@ TEST(CutForFloats, LeavesNoSelfIntersectionInTheFileWhereAnExactCutDoes) {
   EXPECT_GT(ofExactCuts, 0U);  // else the body is too easy to show anything
 }
 
-Case farCase(const std::vector<HalfSpace>& planes) {
+Case farCase(const std::vector<ResectionPlane>& planes) {
   Case source = test::syntheticCase();
   test::replaceStructure(source, "parenchyma", [](Structure&, Reconstruction& made) { made.mesh = unevenBody(3); });
   source.plans.front().resections.clear();
@@ -103,8 +103,8 @@ Case farCase(const std::vector<HalfSpace>& planes) {
 }
 
 TEST(Package, NoClosedPartCrossesItselfAsItsFileHoldsItFarFromTheOrigin) {
-  const std::vector<HalfSpace> planes = manyPlanes();
-  for (const std::vector<HalfSpace>& chosen :
+  const std::vector<ResectionPlane> planes = manyPlanes();
+  for (const std::vector<ResectionPlane>& chosen :
        {std::vector{planes[0]}, std::vector{planes[5]}, std::vector{planes[0], {kFarCentre, -Vec3::UnitZ()}}}) {
     const Scratch scratch;
     ExportOptions options;

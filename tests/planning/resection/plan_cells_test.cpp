@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <random>
 
+#include "reconstruction/errors.h"
+
 namespace glisson {
 namespace {
 
-bool inside(const std::vector<HalfSpace>& bounds, const Vec3& point) {
+template <typename Plane>
+bool inside(const std::vector<Plane>& bounds, const Vec3& point) {
   return std::ranges::all_of(bounds, [&](const HalfSpace& h) { return h.normal.dot(point - h.origin) > 0; });
 }
 
@@ -24,6 +27,11 @@ TEST(PlanCells, OfAWedgeAreItsInsideAndTwoPartsOfTheRest) {
       cellsOf({"Plan", {{"Wedge", {{Vec3::Zero(), Vec3::UnitX()}, {Vec3::Zero(), Vec3::UnitY()}}}}});
   ASSERT_EQ(cells.size(), 3U);
   EXPECT_EQ(std::ranges::count(cells, PlanSide::Resected, &PlanCell::side), 1);
+}
+
+TEST(PlanCells, OfABentPlaneThereAreNone) {
+  const HalfSpace plane{Vec3::Zero(), Vec3::UnitX()};
+  EXPECT_THROW(cellsOf({"Plan", {{"R", {ResectionPlane(plane, flatBend(plane, 50))}}}}), PlanningError);
 }
 
 TEST(PlanCells, HoldEachPointOnceAndOnItsSide) {

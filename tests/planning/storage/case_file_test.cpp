@@ -349,7 +349,7 @@ TEST_F(CaseFileTest, FullDiskIsRefusedAndTheFileKeepsItsState) {
 
 TEST_F(CaseFileTest, NewerVersionIsRefusedWithASentence) {
   { CaseFile::create(file(), sampleCase()); }
-  runSql(file(), "PRAGMA user_version=3");
+  runSql(file(), "PRAGMA user_version=4");
   EXPECT_NE(refusalOf([&] { CaseFile::open(file()); }).find("newer Glisson"), std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "planning/storage/case_file.h"
+#include "planning/storage/case_json.h"
 #include "reconstruction/errors.h"
 #include "tests/planning/exchange/scratch.h"
 #include "tests/planning/voxel_bodies.h"
@@ -24,6 +25,8 @@ Case ballCase() {
 const PatientFacts kFacts{170, 70.5, LiverCondition::Injured, TumourType::HepatocellularCarcinoma};
 
 ResectionPlan planAt(double x) { return {"Plan 1", {{"Resection 1", {{Vec3(x, 0, 0), Vec3::UnitX()}}}}, 10}; }
+
+constexpr std::int64_t kNewest = 3;
 
 void runSql(const fs::path& path, const char* sql) {
   sqlite3* handle = nullptr;
@@ -224,7 +227,7 @@ TEST(CaseVersions, FirstEditBringsAFileOfVersionOneUpToDate) {
   CaseFile::open(file).storePlans({planAt(10)});
   EXPECT_EQ(versionOf(file), 1) << "equal plans are no edit";
   CaseFile::open(file).storePlans({planAt(9)}, "move plane");
-  EXPECT_EQ(versionOf(file), 2);
+  EXPECT_EQ(versionOf(file), kNewest);
   EXPECT_EQ(CaseFile::open(file).load().plans[0].resections[0].planes[0].origin[0], 9);
   ASSERT_EQ(CaseFile::open(file).history().size(), 1U);
   EXPECT_EQ(CaseFile::open(file).history()[0].name, "move plane");
@@ -232,7 +235,7 @@ TEST(CaseVersions, FirstEditBringsAFileOfVersionOneUpToDate) {
   fs::remove(file);
   const fs::path other = versionOne(scratch.path);
   CaseFile::open(other).storePatient(kFacts);
-  EXPECT_EQ(versionOf(other), 2);
+  EXPECT_EQ(versionOf(other), kNewest);
   EXPECT_EQ(CaseFile::open(other).load().patient, kFacts);
 }
 
@@ -259,6 +262,79 @@ TEST(CaseVersions, MeasuresAndIslandsComeBackBitForBit) {
   EXPECT_EQ(read.islands[0].point, plan.islands[0].point);
   EXPECT_EQ(read.islands[0].to, PlanSide::Remnant);
   EXPECT_EQ(read.islands[1].to, PlanSide::Resected);
+}
+
+/// A file as version 2 wrote it: without bent planes.
+fs::path versionTwo(const fs::path& folder) {
+  fs::path file = folder / "older.glisson";
+  Case made = ballCase();
+  made.plans = {planAt(10)};
+  made.patient = kFacts;
+  { CaseFile::create(file, made); }
+  runSql(file, "PRAGMA user_version=2");
+  return file;
+}
+
+Bend someBend() {
+  Bend bend = flatBend({Vec3::Zero(), Vec3::UnitX()}, 33.3);
+  for (std::size_t n = 0; n < 16; ++n) {
+    bend.heightsMm[n] = 0.1 * static_cast<double>(n) - 1.0 / 3;
+  }
+  return bend;
+}
+
+TEST(CaseVersions, FileOfVersionTwoKeepsItsVersionUntilItsFirstEdit) {
+  const Scratch scratch;
+  const fs::path file = versionTwo(scratch.path);
+  EXPECT_EQ(CaseFile::open(file).load().patient, kFacts);
+  EXPECT_EQ(versionOf(file), 2);
+  CaseFile::open(file).storePlans({planAt(9)}, "move plane");
+  EXPECT_EQ(versionOf(file), kNewest) << "a program that knows no bent planes refuses what may hold them";
+  EXPECT_EQ(CaseFile::open(file).load().patient, kFacts);
+  EXPECT_EQ(CaseFile::open(file).history().size(), 1U);
+}
+
+TEST(CaseVersions, BendsComeBackBitForBitAlsoFromTheHistory) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  ResectionPlan plan = planAt(10);
+  plan.resections[0].planes[0].bend = someBend();
+  CaseFile::create(file, ballCase()).storePlans({plan}, "bend plane");
+  EXPECT_EQ(CaseFile::open(file).load().plans[0], plan);
+  EXPECT_EQ(CaseFile::open(file).history().back().after, std::vector<ResectionPlan>{plan});
+}
+
+TEST(CaseVersions, BendsThatAreNoneAreRefusedWithASentence) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  ResectionPlan plan = planAt(10);
+  plan.resections[0].planes[0].bend = someBend();
+  plan.resections[0].planes[0].bend->heightsMm[3] = NAN;
+  CaseFile made = CaseFile::create(file, ballCase());
+  EXPECT_THROW(made.storePlans({plan}), PlanningError);
+  plan.resections[0].planes[0].bend = someBend();
+  plan.resections[0].planes[0].bend->halfSizeMm = -5;
+  EXPECT_THROW(made.storePlans({plan}), PlanningError);
+  const auto stored = [](const std::string& bend) {
+    return R"([{"name":"Plan 1","safetyMarginMm":10.0,"resections":[{"name":"R","planes":[{"originMm":[10.0,0.0,0.0],)"
+           R"("normal":[1.0,0.0,0.0],"bend":)" +
+           bend + "}]}]}]";
+  };
+  const std::string heights = "[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]";
+  EXPECT_NO_THROW((void)caseJson::toPlans(
+      nlohmann::ordered_json::parse(stored(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0,"heightsMm":)" + heights + "}"))));
+  for (const std::string& hostile :
+       {R"({"u":[0.0,1.0,0.0],"halfSizeMm":0.0,"heightsMm":)" + heights + "}",
+        R"({"u":[0.0,1.0,0.0],"halfSizeMm":null,"heightsMm":)" + heights + "}",
+        R"({"u":[1.0,0.0,0.0],"halfSizeMm":50.0,"heightsMm":)" + heights + "}",
+        R"({"u":[0.0,1.0],"halfSizeMm":50.0,"heightsMm":)" + heights + "}",
+        std::string(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0,"heightsMm":[0,0,0]})"),
+        std::string(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0,"heightsMm":7})"),
+        std::string(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0,"heightsMm":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1e9]})"),
+        std::string(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0,"heightsMm":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,"a"]})"),
+        std::string(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0})"), std::string("[]"), std::string("3")}) {
+    EXPECT_THROW((void)caseJson::toPlans(nlohmann::ordered_json::parse(stored(hostile))), std::exception) << hostile;
+  }
 }
 
 }  // namespace

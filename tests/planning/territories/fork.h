@@ -66,7 +66,7 @@ inline Case forkCase(const Vec3& spacing = Vec3(1, 1, 1), const Eigen::Isometry3
 }
 
 /// The part of the fork's liver with x > border and low < z < high, as a resection of the fork's frame.
-inline std::vector<HalfSpace> forkSlab(double low, double high) {
+inline std::vector<ResectionPlane> forkSlab(double low, double high) {
   return {{Vec3(kForkBorder, 0, 0), Vec3::UnitX()}, {Vec3(0, 0, low), Vec3::UnitZ()}, {Vec3(0, 0, high), -Vec3::UnitZ()}};
 }
 /// mL of x > border between two heights.

@@ -84,8 +84,8 @@ TEST(Perfusion, IsTheSameInATurnedShiftedAndMirroredGrid) {
   const LiverPerfusion b(newCase(nullptr, segmentation));
   const ImageGeometry& from = straight.segmentation->geometry;
   const ImageGeometry& to = segmentation->geometry;
-  for (const auto& planes : {forkSlab(0.3, 9), std::vector<HalfSpace>{{Vec3(1, 2, 3), Vec3(1, 0.4, 0.3).normalized()}}}) {
-    std::vector<HalfSpace> same;
+  for (const auto& planes : {forkSlab(0.3, 9), std::vector<ResectionPlane>{{Vec3(1, 2, 3), Vec3(1, 0.4, 0.3).normalized()}}}) {
+    std::vector<ResectionPlane> same;
     for (const HalfSpace& plane : planes) {
       same.push_back({to.toWorld(from.toIndex(plane.origin)), turn * plane.normal});
     }

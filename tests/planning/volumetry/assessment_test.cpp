@@ -141,8 +141,8 @@ TEST(Volumes, AreTheSameInATurnedShiftedAndMirroredGrid) {
 
 TEST(Volumes, ResectionOfTwoPlanesIsTheirWedge) {
   const PlanAssessor assessor(blockLiver());
-  const std::vector<HalfSpace> quarter{{kBlockCentre + Vec3(0.13, 0, 0), Vec3::UnitX()},
-                                       {kBlockCentre + Vec3(0, 0.21, 0), Vec3::UnitY()}};
+  const std::vector<ResectionPlane> quarter{{kBlockCentre + Vec3(0.13, 0, 0), Vec3::UnitX()},
+                                            {kBlockCentre + Vec3(0, 0.21, 0), Vec3::UnitY()}};
   const PlanAssessment r = assessor.volumes(planOf({quarter}));
   EXPECT_NEAR(r.resectedMl, 15.87 * 15.79 * 25 * kMlPerMm3, 1e-9);
   EXPECT_NEAR(r.resections[0].cutAreaMm2, (15.87 + 15.79) * 25, 1e-4);

@@ -1,0 +1,72 @@
+#include "planning/volumetry/flat_stretches.h"
+
+#include <algorithm>
+
+namespace glisson {
+
+namespace {
+/// Stands for a bent plane that is far away: farther than any box reaches.
+constexpr double kFarMm = 1e9;
+
+bool isBent(const ImageResection& resection) { return !resection.bends.empty(); }
+}  // namespace
+
+bool hasBends(const std::vector<ImageResection>& plan) { return std::any_of(plan.begin(), plan.end(), isBent); }
+
+ImagePlane planeIn(const Box& voxel, const BentSurface& surface) {
+  const BendShape::Local local = surface.localAt(voxel.centre);
+  const Vec3 slope = surface.normal() - local.du * surface.u() - local.dv * surface.v();
+  const Vec3 u = surface.u().cwiseProduct(voxel.half);
+  const Vec3 v = surface.v().cwiseProduct(voxel.half);
+  const double mean = local.height + (local.duu * u.squaredNorm() + 2 * local.duv * u.dot(v) + local.dvv * v.squaredNorm()) / 6;
+  const double above = surface.normal().dot(voxel.centre - surface.origin()) - mean;
+  const double length = slope.norm();
+  const Vec3 normal = slope / length;
+  return {normal, above / length - normal.dot(voxel.centre)};
+}
+
+FlatStretches::FlatStretches(const std::vector<ImageResection>& plan, const Vec3& spacing) : plan_(plan), spacing_(spacing) {
+  if (!hasBends(plan)) {
+    return;
+  }
+  flat_ = plan;
+  for (std::size_t r = 0; r < plan.size(); ++r) {
+    flat_[r].bends.clear();
+    for (const BentSurface& surface : plan[r].bends) {
+      const double u = surface.u()[0] * spacing[0];
+      const double v = surface.v()[0] * spacing[0];
+      const auto times = [](const Range& slopes, double step) {
+        return step < 0 ? Range{slopes.high * step, slopes.low * step} : Range{slopes.low * step, slopes.high * step};
+      };
+      const Range alongU = times(surface.shape().slopesU(), u);
+      const Range alongV = times(surface.shape().slopesV(), v);
+      const double rise = surface.normal()[0] * spacing[0];
+      bends_.push_back({&surface,
+                        r,
+                        flat_[r].planes.size(),
+                        surface.reach(0.5 * spacing),
+                        {rise - alongU.high - alongV.high, rise - alongU.low - alongV.low},
+                        0});
+      flat_[r].planes.emplace_back();
+    }
+  }
+}
+
+void FlatStretches::decide(Bent& bent, const RowRun& rest) {
+  const Box voxel = boxOf({rest.i, rest.j, rest.k, 1}, spacing_);
+  ImagePlane& plane = flat_[bent.resection].planes[bent.plane];
+  const double above = bent.surface->above(voxel.centre);
+  const double clear = std::abs(above) - bent.reach;
+  if (!(clear > 0)) {
+    plane = planeIn(voxel, *bent.surface);
+    bent.until = rest.i + 1;
+    return;
+  }
+  plane = {bent.surface->normal(), above > 0 ? kFarMm : -kFarMm};
+  // The next voxel that may reach the surface, at the fastest approach.
+  const double approach = above > 0 ? -bent.perVoxel.low : bent.perVoxel.high;
+  const double voxels = approach > 0 ? std::ceil(clear / approach) : rest.n;
+  bent.until = rest.i + (voxels < rest.n ? std::max(1, static_cast<int>(voxels)) : rest.n);
+}
+
+}  // namespace glisson

@@ -1,0 +1,126 @@
+// Packages of plans with bent planes: parts that are closed and add up, a surface that follows the bend, a plan.json that says so.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "planning/exchange/atomic_file.h"
+#include "planning/exchange/mesh_files.h"
+#include "planning/exchange/package.h"
+#include "planning/volumetry/assessment.h"
+#include "reconstruction/errors.h"
+#include "reconstruction/mesh/self_intersection.h"
+#include "tests/planning/exchange/scratch.h"
+#include "tests/planning/exchange/synthetic_case.h"
+
+namespace glisson {
+namespace {
+
+using test::kLiverCentre;
+using test::kLiverRadiusMm;
+using test::Scratch;
+using test::syntheticCase;
+using Json = nlohmann::json;
+
+ExportOptions stamped() {
+  ExportOptions options;
+  options.timestamp = "20260102-0304";
+  return options;
+}
+
+/// The tumour's side, the plane bowed by up to 12 mm and skewed.
+ResectionPlane bowed(const HalfSpace& plane) {
+  ResectionPlane bent(plane, flatBend(plane, 45));
+  bent.bend->heightsMm = {-12, -4, -3, -9, 2, 14, 13, 3, 1, 15, 12, 6, -10, -2, 2, -7};
+  return bent;
+}
+
+Case bentCase() {
+  Case source = syntheticCase();
+  ResectionPlane& plane = source.plans[0].resections[0].planes[0];
+  plane = bowed(plane);
+  return source;
+}
+
+TEST(BentPackage, PartsAreClosedAddUpAndTheSurfaceFollowsTheBend) {
+  const Scratch scratch;
+  const Case source = bentCase();
+  const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+  EXPECT_EQ(verifyPackage(folder), std::vector<std::string>{});
+  const SurfaceMesh whole = readMesh(folder / "parenchyma.stl");
+  const SurfaceMesh remnant = readMesh(folder / "remnant.stl");
+  const SurfaceMesh resected = readMesh(folder / "resected_01.stl");
+  const SurfaceMesh surface = readMesh(folder / "resection_surface_01.stl");
+  for (const SurfaceMesh* part : {&remnant, &resected}) {
+    EXPECT_FALSE(part->defects().any());
+    EXPECT_EQ(countSelfIntersections(*part), 0U);
+  }
+  EXPECT_NEAR(signedVolumeMm3(remnant) + signedVolumeMm3(resected), signedVolumeMm3(whole), 1e-5 * signedVolumeMm3(whole));
+  const BentSurface bent(source.plans[0].resections[0].planes[0]);
+  for (const Triangle& t : surface.triangles) {
+    const auto& v = surface.vertices;
+    ASSERT_NEAR(bent.above((v[t[0]] + v[t[1]] + v[t[2]]) / 3), 0, kCurvedCutMm);
+    ASSERT_GT((v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]).dot(bent.normal()), 0) << "it faces the resected side";
+  }
+  for (const Vec3& v : resected.vertices) {
+    ASSERT_GE(bent.above(v), -1e-3);
+  }
+  for (const Vec3& v : remnant.vertices) {
+    ASSERT_LE(bent.above(v), 1e-3);
+  }
+}
+
+TEST(BentPackage, MeshAndVoxelsAgreeOnTheShareThatIsResected) {
+  const Scratch scratch;
+  const Case source = bentCase();
+  const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+  const double meshShare =
+      signedVolumeMm3(readMesh(folder / "resected_01.stl")) / signedVolumeMm3(readMesh(folder / "parenchyma.stl"));
+  const PlanAssessment assessed = PlanAssessor(source).assess(source.plans[0]);
+  EXPECT_NEAR(assessed.resectedMl / assessed.totalMl, meshShare, 0.004);
+  const Json plan = Json::parse(readWholeFile(folder / "plan.json"));
+  EXPECT_NEAR(plan.at("assessment").at("resectedMl").get<double>(), assessed.resectedMl, 1e-9);
+}
+
+TEST(BentPackage, PlanJsonHasTheBendAndAnotherFormatVersion) {
+  const Scratch scratch;
+  const Case source = bentCase();
+  const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+  const Json plan = Json::parse(readWholeFile(folder / "plan.json"));
+  EXPECT_EQ(plan.at("formatVersion"), 2);
+  const Json& bend = plan.at("resections").at(0).at("planes").at(0).at("bend");
+  const Bend& made = *source.plans[0].resections[0].planes[0].bend;
+  EXPECT_EQ((bend.at("heightsMm").get<std::array<double, 16>>()), made.heightsMm);
+  EXPECT_EQ(bend.at("halfSizeMm").get<double>(), made.halfSizeMm);
+  EXPECT_EQ(bend.at("u").at(1).get<double>(), made.u[1]);
+  const std::filesystem::path flat = exportPackage(syntheticCase(), scratch.path / "flat", stamped()).folder;
+  EXPECT_EQ(Json::parse(readWholeFile(flat / "plan.json")).at("formatVersion"), 1);
+}
+
+TEST(BentPackage, WedgeOfABentAndAFlatPlaneIsWholeToo) {
+  const Scratch scratch;
+  Case source = bentCase();
+  source.plans[0].resections[0].planes.emplace_back(kLiverCentre + Vec3(0, -8, 0), Vec3(0.2, 1, 0.1).normalized());
+  const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+  EXPECT_EQ(verifyPackage(folder), std::vector<std::string>{});
+  double sum = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("remnant") || name == "resected_01.stl") {
+      sum += signedVolumeMm3(readMesh(entry.path()));
+    }
+  }
+  const double whole = signedVolumeMm3(readMesh(folder / "parenchyma.stl"));
+  EXPECT_NEAR(sum, whole, 1e-5 * whole);
+}
+
+TEST(BentPackage, BendBesideTheLiverIsRefusedAsAPlaneIs) {
+  const Scratch scratch;
+  Case source = bentCase();
+  source.plans[0].resections[0].planes[0].origin += Vec3(-kLiverRadiusMm - 30, 0, 0);
+  EXPECT_THROW(exportPackage(source, scratch.path, stamped()), PlanningError);
+  EXPECT_EQ(scratch.entries(), 0U);
+}
+
+}  // namespace
+}  // namespace glisson
