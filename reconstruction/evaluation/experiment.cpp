@@ -71,9 +71,8 @@ Places Experiment::placesOf(bool mcsd) const {
 void Experiment::measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const {
   const auto start = Clock::now();
   try {
-    const ModelFamily family = model.recipe.family;
-    model.measures = reference_.measure(mesh, family == ModelFamily::SimplifiedPsr, context);
-    model.measures->shipped = measureAsShipped(family == ModelFamily::Mcsd ? splitAtSharpEdges(mesh) : mesh);
+    model.measures = reference_.measure(mesh, context);
+    model.measures->shipped = measureAsShipped(model.recipe.family == ModelFamily::Mcsd ? splitAtSharpEdges(mesh) : mesh);
   } catch (const Error& error) {
     model.failure = error.what();
   }

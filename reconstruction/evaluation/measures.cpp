@@ -46,7 +46,7 @@ EvaluationReference::EvaluationReference(const Mask& mask, const ImageGeometry& 
   voxelVolumeMl_ = static_cast<double>(mask.count()) * geometry.voxelVolumeMm3() * kMlPerMm3;
 }
 
-ModelMeasures EvaluationReference::measure(const SurfaceMesh& mesh, bool intersections, const ExecutionContext& context) const {
+ModelMeasures EvaluationReference::measure(const SurfaceMesh& mesh, const ExecutionContext& context) const {
   if (mesh.empty()) {
     throw ReconstructionError("The mesh has no triangles and encloses no volume; reconstruct it again.");
   }
@@ -54,9 +54,7 @@ ModelMeasures EvaluationReference::measure(const SurfaceMesh& mesh, bool interse
   measures.triangles = mesh.triangles.size();
   measures.vertices = mesh.vertices.size();
   MeshDefects defects = mesh.defects();
-  if (intersections) {
-    defects.selfIntersections = countSelfIntersections(mesh, context);
-  }
+  defects.selfIntersections = countSelfIntersections(mesh, context);
   measures.defects = defects.names();
   if (defects.openEdges == 0 && defects.orientationEdges == 0) {
     measures.volumeMl = signedVolumeMm3(mesh) * kMlPerMm3;

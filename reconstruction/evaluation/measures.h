@@ -30,7 +30,7 @@ struct ModelMeasures {
   std::optional<double> volumeMl;  ///< nothing where the mesh is open
   CurvatureSummary curvature;      ///< of the mesh with equal vertices merged: decides what is similar
   ShippedMeasures shipped;
-  std::vector<std::string> defects;  ///< MeshDefects::names()
+  std::vector<std::string> defects;  ///< MeshDefects::names(), self-intersections among them
 };
 
 /// What a label's models are measured against: computed once for all of them.
@@ -43,9 +43,9 @@ class EvaluationReference {
   [[nodiscard]] std::size_t pointCount() const { return points_.size(); }
   [[nodiscard]] double voxelVolumeMl() const { return voxelVolumeMl_; }
 
-  /// Everything but `shipped`. paperErrorMm and voxelErrorMm are those of paperError() and voxelError(). Self-intersections are
-  /// counted where `intersections`. Throws ReconstructionError where the mesh has no triangles. Polls cancel.
-  [[nodiscard]] ModelMeasures measure(const SurfaceMesh& mesh, bool intersections, const ExecutionContext& context = {}) const;
+  /// Everything but `shipped`, self-intersections counted. paperErrorMm and voxelErrorMm are those of paperError() and
+  /// voxelError(). Throws ReconstructionError where the mesh has no triangles. Polls cancel.
+  [[nodiscard]] ModelMeasures measure(const SurfaceMesh& mesh, const ExecutionContext& context = {}) const;
 
  private:
   std::vector<Vec3> points_;
