@@ -316,7 +316,8 @@ TEST(CliEvaluateRealData, ATumourOfIrcadbHasEveryMcsdModel) {
     GTEST_SKIP() << "skipped: no real data";
   }
   const TemporaryFolder folder;
-  const Finished finished = cli({"evaluate", masks->path().string(), "--structure", "livertumor01", "-o", folder / "lab"});
+  const Finished finished =
+      cli({"evaluate", (masks->path() / "MASKS_DICOM").string(), "--structure", "livertumor01", "-o", folder / "lab"});
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
   int mcsd = 0;
   for (const auto& row : namedRows(bytesOf(folder.path() / "lab/models.csv"))) {

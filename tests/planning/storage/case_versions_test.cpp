@@ -102,7 +102,6 @@ TEST(CaseAcceptance, ComesBackIsReplacedAndIsMissingInAFileOfBeforeItExisted) {
   made.storeModel(*withAcceptance(*source.model, {"parenchyma"}, std::nullopt));
   EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance, std::nullopt);
   made.storeModel(*source.model);
-  EXPECT_EQ(versionOf(file), 2) << "a program that does not know it opens the file and takes nobody for having accepted it";
   forgeDocument(file, "model", R"("acceptance":{)", R"("forgotten":{)");
   EXPECT_EQ(CaseFile::open(file).load().model->find("parenchyma")->acceptance, std::nullopt);
 }
@@ -176,11 +175,12 @@ TEST(CasePatient, FileFromBeforeItsEditsWereRecordedOpensAndRecordsTheNextOne) {
   Case source = ballCase();
   source.patient = kFacts;
   { CaseFile::create(file, source).storePlans({planAt(9)}, "place plane"); }
-  runSql(file, "ALTER TABLE history DROP COLUMN patient_before; ALTER TABLE history DROP COLUMN patient_after");
+  runSql(file,
+         "ALTER TABLE history DROP COLUMN patient_before; ALTER TABLE history DROP COLUMN patient_after; PRAGMA user_version=2");
   ASSERT_EQ(CaseFile::open(file).history().size(), 1U);
   EXPECT_EQ(CaseFile::open(file).load().patient, kFacts);
   CaseFile::open(file).storePatient({}, "change patient facts");
-  EXPECT_EQ(versionOf(file), 2) << "an older program takes it for an edit that changes nothing";
+  EXPECT_EQ(versionOf(file), kNewest);
   const std::vector<PlanStep> steps = CaseFile::open(file).history();
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_EQ(steps[0].name, "place plane");
