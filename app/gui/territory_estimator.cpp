@@ -47,6 +47,8 @@ TerritoryEstimator::TerritoryEstimator(JobRunner& jobs, Document& document, QObj
   connect(&jobs_, &JobRunner::jobEnded, this, [this](JobId ended, JobState how) {
     if (ended == trees_ && how == JobState::Cancelled && state_ == State::Computing) {
       become(State::None);
+    } else if (ended == division_ && how == JobState::Cancelled) {
+      goOnOrForget();
     }
   });
 }
@@ -142,10 +144,11 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
   JobRequest request{.key = "territories", .title = tr("Territories")};
   request.fail = [this](const std::exception& error) {
     emit refused(messageOf(error));
-    follow();
+    goOnOrForget();
   };
   become(State::Following);
-  submitFor<Parts>(
+  division_ = 0;  // that a newer division takes the place of this one is no end
+  division_ = submitFor<Parts>(
       jobs_, std::move(request),
       [liver = document_.content().liver, perfusion = perfusion_, choice](const ExecutionContext& context) {
         return std::make_shared<const Territories>(territoriesOf(*liver, perfusion->portal(), choice, context));
@@ -158,6 +161,14 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
           follow();
         }
       });
+}
+
+void TerritoryEstimator::goOnOrForget() {
+  if (perfusion_ && marksOf(choice_, perfusion_->portal()) == document_.content().territories) {
+    follow();
+  } else {
+    forget();
+  }
 }
 
 void TerritoryEstimator::follow() {

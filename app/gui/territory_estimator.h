@@ -47,13 +47,16 @@ class TerritoryEstimator : public QObject {
   /// `step`: what the user did, an undo step of the case once it is done; empty where the case says so already.
   void divide(TerritoryChoice choice, const QString& step = {});
   void keep(const QString& step);
+  /// After a division that came to nothing: on with the one before, unless the case says otherwise by now (undone).
+  void goOnOrForget();
   void follow();
   void become(State state);
 
   JobRunner& jobs_;
   Document& document_;
   State state_ = State::None;
-  JobId trees_ = 0;  ///< the job that makes the vessels' trees
+  JobId trees_ = 0;     ///< the job that makes the vessels' trees
+  JobId division_ = 0;  ///< the newest job that divides the liver
   std::shared_ptr<const LiverPerfusion> perfusion_;
   TerritoryChoice choice_;
   std::shared_ptr<const Territories> territories_;
