@@ -62,6 +62,7 @@ class BendShape {
   [[nodiscard]] const Range& slopesV() const { return slopesV_; }
   /// The largest second derivative in any direction is at most this, 1/mm.
   [[nodiscard]] double mostCurved() const { return mostCurved_; }
+  [[nodiscard]] double halfSizeMm() const { return halfSizeMm_; }
 
  private:
   double perMm_ = 0;  ///< from mm to the square's parameter, 0..1

@@ -206,6 +206,33 @@ CutDistance::Way CutDistance::shortest(const VoxelRows& rows, const Vec3& spacin
   return best;
 }
 
+double CutDistance::atLeast(const VoxelRows& rows, const Vec3& spacing, const Way& way) const {
+  const double flattening = pieces_[way.piece].flatteningMm;
+  double least = way.mm - flattening;
+  Vec3 low = Vec3::Constant(kInfinity);
+  Vec3 high = Vec3::Constant(-kInfinity);
+  for (const RowRun& run : rows.runs) {
+    const Box box = boxOf(run, spacing);
+    low = low.cwiseMin(box.centre - box.half);
+    high = high.cwiseMax(box.centre + box.half);
+  }
+  const Box around{0.5 * (low + high), 0.5 * (high - low)};
+  for (std::size_t n = 0; n < pieces_.size(); ++n) {
+    // A piece that is flattened no more than the nearest one cannot come nearer.
+    const double off = pieces_[n].flatteningMm;
+    if (off <= flattening || gap(around, low_[n], high_[n]) - off >= least) {
+      continue;
+    }
+    for (const RowRun& run : rows.runs) {
+      const Box box = boxOf(run, spacing);
+      if (gap(box, low_[n], high_[n]) - off < least) {
+        least = std::min(least, shortestWay(box, pieces_[n].polygon).mm - off);
+      }
+    }
+  }
+  return least;
+}
+
 namespace {
 /// The nearest point of a convex region by its optimality conditions: some one, two or three planes are active, the step to it is a
 /// sum of their normals with positive weights, and it lies in all half-spaces. Infinity where the region is empty.
@@ -355,7 +382,7 @@ Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& c
   }
   const CutPiece& piece = cut.pieces()[way.piece];
   const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : piece.normal;
-  return {way.mm, way.mm - resolutionMm(along, spacing), way.from, way.to};
+  return {way.mm, cut.atLeast(rows, spacing, way) - resolutionMm(along, spacing), way.from, way.to};
 }
 
 double resolutionMm(const Vec3& direction, const Vec3& spacing) { return 0.5 * direction.cwiseAbs().dot(spacing); }

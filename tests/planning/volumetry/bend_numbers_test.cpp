@@ -264,6 +264,26 @@ TEST(BendNumbers, MarginIsTheWayToTheSurface) {
   }
 }
 
+TEST(BendNumbers, MarginIsAtLeastWhatItSaysBesideAStronglyBentPlane) {
+  const Case liver = liverWith(Vec3(12, 3, -2), 6);
+  const ImageGeometry& g = liver.segmentation->geometry;
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> border(-30, 0);
+  std::uniform_real_distribution<double> inner(15, 30);
+  for (int n = 0; n < trials(6); ++n) {
+    const HalfSpace plane{Vec3(-20, 0, 0), (Vec3::UnitX() + 0.1 * randomDirection(random)).normalized()};
+    ResectionPlane bent(plane, flatBend(plane, kLeastBendHalfSizeMm));
+    for (std::size_t p = 0; p < 16; ++p) {
+      bent.bend->heightsMm[p] = groupOf(5)[p] ? inner(random) : border(random);
+    }
+    const CutDistance cut(cutSurface(rowsOf(liver.liver->liver), g.spacing, toImage(planOf({{bent}}), g)));
+    const Margin margin = marginOf(rowsOf(liver.liver->tumour), g.spacing, cut);
+    ASSERT_GT(margin.mm, 0);
+    const double resolution = resolutionMm((margin.to - margin.from).normalized(), g.spacing);
+    EXPECT_LE(margin.atLeast, sampledDistance(liver, bent, 0.15) - resolution);
+  }
+}
+
 TEST(BendNumbers, CutTumoursDepthIsTheWayToTheBentRegion) {
   const Case liver = liverWith(Vec3(2, 1, 0), 9);
   const ImageGeometry& g = liver.segmentation->geometry;
