@@ -119,8 +119,10 @@ Bend flatBend(const HalfSpace& plane, double halfSizeMm);
 Bend checkedBend(const HalfSpace& plane, const Bend& bend);
 /// Where control point [4 j + i] stands, mm LPS. The plane has a bend.
 Vec3 controlPoint(const ResectionPlane& plane, std::size_t index);
+/// Whether one unit normal is the other's opposite, as far as numbers rounded to 3 decimals say.
+bool isOpposite(const Vec3& normal, const Vec3& other);
 /// `from` with origin and normal of `to`: its bend goes along, u turned by the smallest rotation from normal to normal. Opposite
-/// normals swap the sides and leave the surface where it is, seen from the plane.
+/// normals swap the sides and leave the surface where it is, seen from the plane, but for the small rest of the turn.
 ResectionPlane movedTo(const ResectionPlane& from, const HalfSpace& to);
 /// The other side resected; the surface stays.
 ResectionPlane flipped(const ResectionPlane& plane);
