@@ -311,8 +311,11 @@ void keepBentProjection(const Vec3& p, const ImageResection& resection, double& 
   }
   constexpr int kTurns = 30;
   constexpr double kSettledMm = 1e-4;
+  const Vec3 start = feet[0];
   double depth = kInfinity;
   Vec3 along = Vec3::UnitZ();
+  double largest = 0;
+  Vec3 alongLargest = along;
   for (int turn = 0; turn < kTurns; ++turn) {
     std::vector<ImagePlane> planes = resection.planes;
     for (std::size_t n = 0; n < feet.size(); ++n) {
@@ -327,6 +330,10 @@ void keepBentProjection(const Vec3& p, const ImageResection& resection, double& 
     } else {
       keepProjection(p, planes, depth, along);
     }
+    if (std::isfinite(depth) && depth > largest) {
+      largest = depth;
+      alongLargest = along;
+    }
     if (!std::isfinite(depth) || std::abs(depth - before) < kSettledMm) {
       break;
     }
@@ -334,9 +341,27 @@ void keepBentProjection(const Vec3& p, const ImageResection& resection, double& 
       feet[n] = resection.bends[n].foot(p + depth * along);
     }
   }
-  if (depth < best) {
-    best = depth;
-    normal = along;
+  if (!(largest > 0)) {
+    // No turn has found a way: the deepest of the single planes, along its normal.
+    for (const BentSurface& surface : resection.bends) {
+      if (-surface.above(p) > largest) {
+        largest = -surface.above(p);
+        alongLargest = surface.normal();
+      }
+    }
+    for (const ImagePlane& plane : resection.planes) {
+      if (-plane.distance(p) > largest) {
+        largest = -plane.distance(p);
+        alongLargest = plane.normal;
+      }
+    }
+  }
+  if (resection.planes.empty() && resection.bends.size() == 1) {
+    largest = std::min(largest, (start - p).norm());  // a point of the surface
+  }
+  if (largest < best) {
+    best = largest;
+    normal = alongLargest;
   }
 }
 }  // namespace

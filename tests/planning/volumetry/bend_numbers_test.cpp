@@ -320,6 +320,33 @@ TEST(BendNumbers, CutTumoursDepthIsTheWayToTheBentRegion) {
   }
 }
 
+TEST(BendNumbers, NoVoxelOutsideAStronglyBentRegionHasDepthZero) {
+  std::mt19937 random(10);
+  std::uniform_int_distribution<int> at(-25, 25);
+  for (int n = 0; n < trials(300); ++n) {
+    const ResectionPlane bent = bentRandomly({Vec3::Zero(), randomDirection(random)}, random, 30, kLeastBendHalfSizeMm);
+    const ImageGeometry g = gridOf({1, 1, 1}, kSpacing);
+    const auto alone = toImage(planOf({{bent}}), g);
+    const auto wedge = toImage(planOf({{bent, ResectionPlane(5 * randomDirection(random), randomDirection(random))}}), g);
+    VoxelRows rows;
+    rows.runs.push_back({at(random), at(random), at(random), 1});
+    rows.voxels = 1;
+    const Box box = boxOf(rows.runs[0], kSpacing);
+    double deepest = 0;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const Vec3 side((corner & 1U) != 0 ? 1 : -1, (corner & 2U) != 0 ? 1 : -1, (corner & 4U) != 0 ? 1 : -1);
+      deepest = std::max(deepest, -alone[0].bends[0].above(box.centre + box.half.cwiseProduct(side)));
+    }
+    Vec3 normal;
+    const double depth = greatestDepth(rows, kSpacing, alone, normal);
+    EXPECT_LE(depth, deepest + 1e-9) << n;
+    EXPECT_EQ(depth > 0, deepest > 0) << n;
+    if (deepest > 0) {
+      EXPECT_GT(greatestDepth(rows, kSpacing, wedge, normal), 0) << n;
+    }
+  }
+}
+
 TEST(BendNumbers, VolumesAddUpAndAStrongBendSeparatesAPiece) {
   // A ridge through the ball: what is resected lies on both sides of it.
   const Case liver = liverWith(Vec3(-20, 0, 0), 5);
