@@ -94,8 +94,25 @@ CuttingSurface surfaceOf(const ResectionPlane& plane) {
   return {plane, [bent](const Vec3& p) { return bent.above(p); }, bent.shape().mostCurved()};
 }
 
+/// Whether some of the mesh lies beside the bend's square, so that a cut may cross its border.
+bool reachesBorder(const SurfaceMesh& mesh, const BentSurface& bent) {
+  const double half = bent.shape().halfSizeMm();
+  return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec3& p) {
+    return std::abs(bent.u().dot(p - bent.origin())) > half || std::abs(bent.v().dot(p - bent.origin())) > half;
+  });
+}
+
 CutResult cutAlong(const SurfaceMesh& mesh, const ResectionPlane& plane, const ExecutionContext& context) {
-  return plane.bend ? cutForFloats(mesh, surfaceOf(plane), context) : cutForFloats(mesh, HalfSpace(plane), context);
+  if (!plane.bend) {
+    return cutForFloats(mesh, HalfSpace(plane), context);
+  }
+  CuttingSurface surface = surfaceOf(plane);
+  if (reachesBorder(mesh, BentSurface(plane))) {
+    // The slope jumps there, which no curvature tells: as fine as for one that asks for steps of 2 mm.
+    constexpr double kBorderStepMm = 2;
+    surface.mostCurved = std::max(surface.mostCurved, kCurvedCutMm / (kBorderStepMm * kBorderStepMm));
+  }
+  return cutForFloats(mesh, surface, context);
 }
 
 /// Whether a part's triangle lies on the plane. A later cut divides the triangles of a bent plane's cap along their chords, so its

@@ -132,6 +132,23 @@ TEST(BentPackage, SurfaceOfAWedgeReachesItsEdgeInEitherOrderOfThePlanes) {
   EXPECT_NEAR(areas[0], areas[1], 0.002 * areas[1]);
 }
 
+TEST(BentPackage, SurfaceFollowsTheJumpOfTheSlopeAtTheSquaresBorder) {
+  const Scratch scratch;
+  Case source = syntheticCase();
+  ResectionPlane& plane = source.plans[0].resections[0].planes[0];
+  plane.bend = flatBend(plane, 20);
+  for (std::size_t n = 0; n < 16; ++n) {
+    plane.bend->heightsMm[n] = 0.5 * 20 * (2.0 * static_cast<double>(n % 4) / 3 - 1);  // no curvature inside
+  }
+  const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+  const SurfaceMesh surface = readMesh(folder / "resection_surface_01.stl");
+  const BentSurface bent(plane);
+  for (const Triangle& t : surface.triangles) {
+    const auto& v = surface.vertices;
+    ASSERT_NEAR(bent.above((v[t[0]] + v[t[1]] + v[t[2]]) / 3), 0, 1);
+  }
+}
+
 TEST(BentPackage, BendBesideTheLiverIsRefusedAsAPlaneIs) {
   const Scratch scratch;
   Case source = bentCase();
