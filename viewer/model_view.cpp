@@ -428,18 +428,25 @@ bool ModelView::movePlaneByKey(const QKeyEvent& event) {
     upright = viewDirection() - viewDirection().dot(n) * n;
   }
   const double angle = (shift ? 5.0 : 1.0) * kDegree;
+  const auto turn = [&](const Vec3& axis, double by) {
+    HalfSpace to = turned(about, axis, by);
+    if (d.plane->bend) {
+      to.origin = turnedAbout(about.origin, d.plane->origin, n, to.normal);  // the bend's square is about the origin
+    }
+    stepPlane(movedTo(*d.plane, to));
+  };
   switch (event.key()) {
     case Qt::Key_Left:
-      stepPlane(movedTo(*d.plane, turned(about, upright, angle)));
+      turn(upright, angle);
       return true;
     case Qt::Key_Right:
-      stepPlane(movedTo(*d.plane, turned(about, upright, -angle)));
+      turn(upright, -angle);
       return true;
     case Qt::Key_Up:
-      stepPlane(movedTo(*d.plane, turned(about, n.cross(upright), angle)));
+      turn(n.cross(upright), angle);
       return true;
     case Qt::Key_Down:
-      stepPlane(movedTo(*d.plane, turned(about, n.cross(upright), -angle)));
+      turn(n.cross(upright), -angle);
       return true;
     default:
       return false;

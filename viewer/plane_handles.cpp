@@ -106,9 +106,17 @@ double alongNormal(const ViewCamera& camera, const Vec3& anchor, const Vec3& nor
   return (between.dot(normal) - cosine * between.dot(sight.direction)) / (1.0 - cosine * cosine);
 }
 
-PlaneDrag::PlaneDrag(PlaneHandle handle, const HalfSpace& plane, const HandleLayout& layout, const ViewCamera& camera,
+Vec3 turnedAbout(const Vec3& pivot, const Vec3& origin, const Vec3& from, const Vec3& to) {
+  const Vec3 start = isOpposite(from, to) ? Vec3(-from) : from;
+  return pivot + Eigen::Quaterniond::FromTwoVectors(start, to) * (origin - pivot);
+}
+
+PlaneDrag::PlaneDrag(PlaneHandle handle, const ResectionPlane& plane, const HandleLayout& layout, const ViewCamera& camera,
                      const Pixel& mouse)
     : handle_(handle), start_(plane), anchor_(layout.anchor), camera_(camera), grasp_(mouse) {
+  if (plane.bend) {
+    carried_ = plane.origin - anchor_;
+  }
   if (isTilt(handle)) {
     const auto n = static_cast<std::size_t>(static_cast<int>(handle) - static_cast<int>(PlaneHandle::TiltRight));
     radius_ = std::max((layout.tilts[n] - anchor_).norm(), 1e-6);
@@ -147,18 +155,19 @@ HalfSpace PlaneDrag::planeAt(const Pixel& mouse) const {
             start_.normal};
   }
   if (handle_ == PlaneHandle::Centre) {
-    return {anchor_ + (inPicture(mouse) - graspPoint_), start_.normal};
+    return {anchor_ + carried_ + (inPicture(mouse) - graspPoint_), start_.normal};
   }
   const Vec3 from = (graspPoint_ - anchor_) / radius_;
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, onSphere(mouse));
-  return {anchor_, (turn * start_.normal).normalized()};
+  const Vec3 normal = (turn * start_.normal).normalized();
+  return {turnedAbout(anchor_, anchor_ + carried_, start_.normal, normal), normal};
 }
 
 Vec3 PlaneDrag::anchorFor(const HalfSpace& plane) const {
   if (handle_ == PlaneHandle::Normal) {
     return anchor_ + (plane.origin - start_.origin);
   }
-  return handle_ == PlaneHandle::Centre ? plane.origin : anchor_;
+  return handle_ == PlaneHandle::Centre ? Vec3(plane.origin - carried_) : anchor_;
 }
 
 }  // namespace glisson

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "planning/resection/bend.h"
 #include "viewer/plane_section.h"
 #include "viewer/view_camera.h"
 
@@ -40,12 +41,17 @@ std::optional<PlaneHandle> handleAt(const HandleLayout& layout, const ViewCamera
 /// end-on, up on the screen from `grasp` is away from the viewer.
 double alongNormal(const ViewCamera& camera, const Vec3& anchor, const Vec3& normal, const Pixel& mouse, const Pixel& grasp);
 
+/// Where `origin` is once the plane through it has been turned about `pivot` from normal to normal, as movedTo() turns its bend.
+Vec3 turnedAbout(const Vec3& pivot, const Vec3& origin, const Vec3& from, const Vec3& to);
+
 /// One drag from grasp to release. The camera does not move meanwhile.
 class PlaneDrag {
  public:
-  PlaneDrag(PlaneHandle handle, const HalfSpace& plane, const HandleLayout& layout, const ViewCamera& camera, const Pixel& mouse);
+  PlaneDrag(PlaneHandle handle, const ResectionPlane& plane, const HandleLayout& layout, const ViewCamera& camera,
+            const Pixel& mouse);
   /// The plane for the mouse at `mouse`: Normal moves it along its normal, Centre takes its origin along in the picture's plane,
-  /// Tilt turns it about the anchor.
+  /// Tilt turns it about the anchor. A flat plane has its origin at the anchor then; a bent one, whose square is about its origin,
+  /// moves as a rigid body.
   [[nodiscard]] HalfSpace planeAt(const Pixel& mouse) const;
   [[nodiscard]] PlaneHandle handle() const { return handle_; }
   [[nodiscard]] const HalfSpace& start() const { return start_; }
@@ -59,6 +65,7 @@ class PlaneDrag {
   PlaneHandle handle_;
   HalfSpace start_;
   Vec3 anchor_;
+  Vec3 carried_ = Vec3::Zero();  ///< from the anchor to the origin
   double radius_ = 1;
   ViewCamera camera_;
   Pixel grasp_;

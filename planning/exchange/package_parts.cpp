@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/mesh/cut.h"
@@ -93,24 +94,67 @@ CuttingSurface surfaceOf(const ResectionPlane& plane) {
   return {plane, [bent](const Vec3& p) { return bent.above(p); }, bent.shape().mostCurved()};
 }
 
-CutResult cutAlong(const SurfaceMesh& mesh, const ResectionPlane& plane, const ExecutionContext& context) {
-  return plane.bend ? cutForFloats(mesh, surfaceOf(plane), context) : cutForFloats(mesh, HalfSpace(plane), context);
+/// Whether some of the mesh lies beside the bend's square, so that a cut may cross its border.
+bool reachesBorder(const SurfaceMesh& mesh, const BentSurface& bent) {
+  const double half = bent.shape().halfSizeMm();
+  return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec3& p) {
+    return std::abs(bent.u().dot(p - bent.origin())) > half || std::abs(bent.v().dot(p - bent.origin())) > half;
+  });
 }
+
+CutResult cutAlong(const SurfaceMesh& mesh, const ResectionPlane& plane, const ExecutionContext& context) {
+  if (!plane.bend) {
+    return cutForFloats(mesh, HalfSpace(plane), context);
+  }
+  CuttingSurface surface = surfaceOf(plane);
+  if (reachesBorder(mesh, BentSurface(plane))) {
+    // The slope jumps there, which no curvature tells: as fine as for one that asks for steps of 2 mm.
+    constexpr double kBorderStepMm = 2;
+    surface.mostCurved = std::max(surface.mostCurved, kCurvedCutMm / (kBorderStepMm * kBorderStepMm));
+  }
+  return cutForFloats(mesh, surface, context);
+}
+
+/// Whether a part's triangle lies on the plane. A later cut divides the triangles of a bent plane's cap along their chords, so its
+/// corners may be as far off as the cap itself; such a triangle faces as the surface does.
+class OnPlane {
+ public:
+  OnPlane(const ResectionPlane& plane, double onPlaneMm) : surface_(surfaceOf(plane)), onPlaneMm_(onPlaneMm) {
+    if (plane.bend) {
+      bent_.emplace(plane);
+    }
+  }
+
+  [[nodiscard]] bool holds(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    const double off = std::max({std::abs(surface_.above(a)), std::abs(surface_.above(b)), std::abs(surface_.above(c))});
+    if (off <= onPlaneMm_ || !bent_ || off > kOnBentMm) {
+      return off <= onPlaneMm_;
+    }
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    return std::abs(normal.dot(bent_->tangentAt((a + b + c) / 3).normal)) > kAlongBent;
+  }
+
+ private:
+  static constexpr double kOnBentMm = 1.5 * kCurvedCutMm;
+  static constexpr double kAlongBent = 0.9;  // cosine
+  CuttingSurface surface_;
+  std::optional<BentSurface> bent_;
+  double onPlaneMm_;
+};
 
 /// The triangles of a resected part that lie on one of the resection's planes, turned to face the resected side.
 void addFacesOnPlanes(const SurfaceMesh& resected, const std::vector<ResectionPlane>& planes, SurfaceMesh& surface) {
   const double onPlaneMm = kOnPlaneSpacings * floatSpacingMm(resected);
-  std::vector<CuttingSurface> surfaces(planes.size());
-  std::transform(planes.begin(), planes.end(), surfaces.begin(), surfaceOf);
+  std::vector<OnPlane> surfaces;
+  for (const ResectionPlane& plane : planes) {
+    surfaces.emplace_back(plane, onPlaneMm);
+  }
+  const auto& v = resected.vertices;
   for (const Triangle& t : resected.triangles) {
-    const bool onPlane = std::any_of(surfaces.begin(), surfaces.end(), [&](const CuttingSurface& plane) {
-      return std::all_of(t.begin(), t.end(),
-                         [&](std::uint32_t corner) { return std::abs(plane.above(resected.vertices[corner])) <= onPlaneMm; });
-    });
-    if (onPlane) {
+    if (std::any_of(surfaces.begin(), surfaces.end(), [&](const OnPlane& on) { return on.holds(v[t[0]], v[t[1]], v[t[2]]); })) {
       const auto n = static_cast<std::uint32_t>(surface.vertices.size());
       for (const std::uint32_t corner : {t[0], t[2], t[1]}) {
-        surface.vertices.push_back(resected.vertices[corner]);
+        surface.vertices.push_back(v[corner]);
       }
       surface.triangles.push_back({n, n + 1, n + 2});
     }

@@ -187,12 +187,16 @@ ResectionPlane flipped(const ResectionPlane& plane) {
   return other;
 }
 
+bool isOpposite(const Vec3& normal, const Vec3& other) {
+  constexpr double kOpposite = -0.999;
+  return normal.dot(other) < kOpposite;
+}
+
 ResectionPlane movedTo(const ResectionPlane& from, const HalfSpace& to) {
   if (!from.bend) {
     return to;
   }
-  constexpr double kOpposite = -1 + 1e-9;
-  const ResectionPlane start = from.normal.dot(to.normal) < kOpposite ? flipped(from) : from;
+  const ResectionPlane start = isOpposite(from.normal, to.normal) ? flipped(from) : from;
   ResectionPlane moved(to, start.bend);
   moved.bend->u = turnedAlong(start.bend->u, start.normal, to.normal);
   return moved;

@@ -62,6 +62,7 @@ class BendShape {
   [[nodiscard]] const Range& slopesV() const { return slopesV_; }
   /// The largest second derivative in any direction is at most this, 1/mm.
   [[nodiscard]] double mostCurved() const { return mostCurved_; }
+  [[nodiscard]] double halfSizeMm() const { return halfSizeMm_; }
 
  private:
   double perMm_ = 0;  ///< from mm to the square's parameter, 0..1
@@ -118,8 +119,10 @@ Bend flatBend(const HalfSpace& plane, double halfSizeMm);
 Bend checkedBend(const HalfSpace& plane, const Bend& bend);
 /// Where control point [4 j + i] stands, mm LPS. The plane has a bend.
 Vec3 controlPoint(const ResectionPlane& plane, std::size_t index);
+/// Whether one unit normal is the other's opposite, as far as numbers rounded to 3 decimals say.
+bool isOpposite(const Vec3& normal, const Vec3& other);
 /// `from` with origin and normal of `to`: its bend goes along, u turned by the smallest rotation from normal to normal. Opposite
-/// normals swap the sides and leave the surface where it is, seen from the plane.
+/// normals swap the sides and leave the surface where it is, seen from the plane, but for the small rest of the turn.
 ResectionPlane movedTo(const ResectionPlane& from, const HalfSpace& to);
 /// The other side resected; the surface stays.
 ResectionPlane flipped(const ResectionPlane& plane);

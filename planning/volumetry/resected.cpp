@@ -362,8 +362,11 @@ std::vector<CutPiece> cutSurface(const VoxelRows& rows, const Vec3& spacing, con
         for (std::size_t p = 0; p < flat[r].planes.size(); ++p) {
           parts.clear();
           appendOutside(ownSection(box, flat[r], p), flat[r].planes[p], r, 0, box, flat, parts);
+          // The bent planes are behind the flat ones, and what one cuts is a single voxel.
+          const std::size_t flats = plan[r].planes.size();
+          const double off = p < flats || parts.empty() ? 0.0 : flatteningMm(box, plan[r].bends[p - flats]);
           for (Polygon& part : parts) {
-            pieces.push_back({std::move(part), n, r, flat[r].planes[p].normal});
+            pieces.push_back({std::move(part), n, r, flat[r].planes[p].normal, off});
           }
         }
       }

@@ -47,9 +47,10 @@ struct CutPiece {
   std::size_t run = 0;
   std::size_t resection = 0;
   Vec3 normal = Vec3::UnitZ();  ///< unit, to the resected side
+  double flatteningMm = 0;      ///< how far the surface can be from it, where the plane is bent
 };
 /// The resection surface inside the voxels: the boundary of the plan's region, piece by piece. A bent plane's pieces are flat in
-/// each voxel, within (width^2 x curvature) / 8 of the surface.
+/// each voxel, within flatteningMm of the surface.
 std::vector<CutPiece> cutSurface(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
 
 }  // namespace glisson

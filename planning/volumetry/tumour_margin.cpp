@@ -206,6 +206,33 @@ CutDistance::Way CutDistance::shortest(const VoxelRows& rows, const Vec3& spacin
   return best;
 }
 
+double CutDistance::atLeast(const VoxelRows& rows, const Vec3& spacing, const Way& way) const {
+  const double flattening = pieces_[way.piece].flatteningMm;
+  double least = way.mm - flattening;
+  Vec3 low = Vec3::Constant(kInfinity);
+  Vec3 high = Vec3::Constant(-kInfinity);
+  for (const RowRun& run : rows.runs) {
+    const Box box = boxOf(run, spacing);
+    low = low.cwiseMin(box.centre - box.half);
+    high = high.cwiseMax(box.centre + box.half);
+  }
+  const Box around{0.5 * (low + high), 0.5 * (high - low)};
+  for (std::size_t n = 0; n < pieces_.size(); ++n) {
+    // A piece that is flattened no more than the nearest one cannot come nearer.
+    const double off = pieces_[n].flatteningMm;
+    if (off <= flattening || gap(around, low_[n], high_[n]) - off >= least) {
+      continue;
+    }
+    for (const RowRun& run : rows.runs) {
+      const Box box = boxOf(run, spacing);
+      if (gap(box, low_[n], high_[n]) - off < least) {
+        least = std::min(least, shortestWay(box, pieces_[n].polygon).mm - off);
+      }
+    }
+  }
+  return least;
+}
+
 namespace {
 /// The nearest point of a convex region by its optimality conditions: some one, two or three planes are active, the step to it is a
 /// sum of their normals with positive weights, and it lies in all half-spaces. Infinity where the region is empty.
@@ -284,8 +311,11 @@ void keepBentProjection(const Vec3& p, const ImageResection& resection, double& 
   }
   constexpr int kTurns = 30;
   constexpr double kSettledMm = 1e-4;
+  const Vec3 start = feet[0];
   double depth = kInfinity;
   Vec3 along = Vec3::UnitZ();
+  double largest = 0;
+  Vec3 alongLargest = along;
   for (int turn = 0; turn < kTurns; ++turn) {
     std::vector<ImagePlane> planes = resection.planes;
     for (std::size_t n = 0; n < feet.size(); ++n) {
@@ -300,6 +330,10 @@ void keepBentProjection(const Vec3& p, const ImageResection& resection, double& 
     } else {
       keepProjection(p, planes, depth, along);
     }
+    if (std::isfinite(depth) && depth > largest) {
+      largest = depth;
+      alongLargest = along;
+    }
     if (!std::isfinite(depth) || std::abs(depth - before) < kSettledMm) {
       break;
     }
@@ -307,9 +341,27 @@ void keepBentProjection(const Vec3& p, const ImageResection& resection, double& 
       feet[n] = resection.bends[n].foot(p + depth * along);
     }
   }
-  if (depth < best) {
-    best = depth;
-    normal = along;
+  if (!(largest > 0)) {
+    // No turn has found a way: the deepest of the single planes, along its normal.
+    for (const BentSurface& surface : resection.bends) {
+      if (-surface.above(p) > largest) {
+        largest = -surface.above(p);
+        alongLargest = surface.normal();
+      }
+    }
+    for (const ImagePlane& plane : resection.planes) {
+      if (-plane.distance(p) > largest) {
+        largest = -plane.distance(p);
+        alongLargest = plane.normal;
+      }
+    }
+  }
+  if (resection.planes.empty() && resection.bends.size() == 1) {
+    largest = std::min(largest, (start - p).norm());  // a point of the surface
+  }
+  if (largest < best) {
+    best = largest;
+    normal = alongLargest;
   }
 }
 }  // namespace
@@ -355,7 +407,7 @@ Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& c
   }
   const CutPiece& piece = cut.pieces()[way.piece];
   const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : piece.normal;
-  return {way.mm, way.mm - resolutionMm(along, spacing), way.from, way.to};
+  return {way.mm, cut.atLeast(rows, spacing, way) - resolutionMm(along, spacing), way.from, way.to};
 }
 
 double resolutionMm(const Vec3& direction, const Vec3& spacing) { return 0.5 * direction.cwiseAbs().dot(spacing); }

@@ -18,6 +18,8 @@ class CutDistance {
   };
   /// The shortest way from any of the runs' boxes. Ties are broken by order, so results repeat.
   [[nodiscard]] Way shortest(const VoxelRows& rows, const Vec3& spacing) const;
+  /// What no way to the surface itself is shorter than: the least of the pieces' distances, each less its flattening.
+  [[nodiscard]] double atLeast(const VoxelRows& rows, const Vec3& spacing, const Way& way) const;
   [[nodiscard]] const std::vector<CutPiece>& pieces() const { return pieces_; }
 
  private:
@@ -45,7 +47,7 @@ CutDistance::Way shortestWay(const Box& box, const Polygon& polygon);
 /// The margin of boxes that lie on the resected side altogether.
 struct Margin {
   double mm = 0;             ///< infinity where there is no surface
-  double atLeast = 0;        ///< mm - resolution along the shortest way
+  double atLeast = 0;        ///< mm - what a bent plane's pieces are flattened by - resolution along the shortest way
   Vec3 from = Vec3::Zero();  ///< of the shortest way: on the boxes
   Vec3 to = Vec3::Zero();    ///< on the surface
 };
@@ -53,7 +55,9 @@ Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& c
 
 /// The greatest distance of the boxes' points to the resected region, mm; the direction it is measured along in `normal`. Exact for
 /// one resection of flat planes (the distance to a convex body is greatest at a corner); several, or bent: over the corners. To a
-/// bent surface by touching planes from the nearest of 169 of its points, within 0.01 mm where its radius is larger than the depth.
+/// bent surface by touching planes from the nearest of 169 of its points, within 0.01 mm where its radius is larger than the depth;
+/// where the steps do not settle, the largest of their depths, and along a plane's normal where they find none: no corner outside
+/// has depth 0.
 double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal);
 
 /// Half the extent of a voxel along a unit direction: what a margin along it cannot resolve.

@@ -143,6 +143,25 @@ TEST(PlaneHandlesTest, ADragBackToItsStartGivesTheSamePlane) {
   }
 }
 
+TEST(PlaneHandlesTest, ABentPlanesOriginGoesAlongWithTheAnchor) {
+  const ViewCamera camera = anteriorCamera();
+  ResectionPlane plane(Vec3(5, 3, 2), Vec3(1, -1, 0.4).normalized());
+  plane.bend = flatBend(plane, 40);
+  const Vec3 anchor = plane.origin + 20 * axesOf(plane.normal).u;
+  const auto loops = sectionLoops(sphere(Vec3::Zero(), Vec3(60, 60, 60), 40), plane);
+  const HandleLayout layout = layoutHandles(plane, anchor, loops, camera);
+  for (const PlaneHandle handle : {PlaneHandle::Centre, PlaneHandle::TiltRight, PlaneHandle::TiltUp}) {
+    const Pixel start(330, 200);
+    const PlaneDrag drag(handle, plane, layout, camera, start);
+    const HalfSpace moved = drag.planeAt(start + Pixel(1, 0));
+    const Vec3 carried = moved.origin - drag.anchorFor(moved);
+    EXPECT_NEAR(carried.norm(), 20, 1e-6);
+    EXPECT_NEAR(carried.dot(moved.normal), 0, 1e-6);
+    EXPECT_LT((moved.origin - plane.origin).norm(), 3) << "it does not jump";
+    EXPECT_GT((moved.origin - plane.origin).norm() + (moved.normal - plane.normal).norm(), 1e-4);
+  }
+}
+
 TEST(PlaneHandlesTest, AnArrowSeenEndOnStillMovesThePlane) {
   const ViewCamera camera = anteriorCamera();
   const HalfSpace plane{Vec3::Zero(), Vec3::UnitY()};

@@ -114,6 +114,41 @@ TEST(BentPackage, WedgeOfABentAndAFlatPlaneIsWholeToo) {
   EXPECT_NEAR(sum, whole, 1e-5 * whole);
 }
 
+TEST(BentPackage, SurfaceOfAWedgeReachesItsEdgeInEitherOrderOfThePlanes) {
+  std::array<double, 2> areas{};
+  for (const std::size_t order : {0U, 1U}) {
+    const Scratch scratch;
+    Case source = bentCase();
+    std::vector<ResectionPlane>& planes = source.plans[0].resections[0].planes;
+    planes.emplace_back(kLiverCentre + Vec3(0, -8, 0), Vec3(0.2, 1, 0.1).normalized());
+    if (order == 1) {
+      std::swap(planes[0], planes[1]);
+    }
+    const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+    areas[order] = areaMm2(readMesh(folder / "resection_surface_01.stl"));
+    const double assessed = PlanAssessor(source).assess(source.plans[0]).resections.at(0).cutAreaMm2;
+    EXPECT_NEAR(areas[order], assessed, 0.01 * assessed);
+  }
+  EXPECT_NEAR(areas[0], areas[1], 0.002 * areas[1]);
+}
+
+TEST(BentPackage, SurfaceFollowsTheJumpOfTheSlopeAtTheSquaresBorder) {
+  const Scratch scratch;
+  Case source = syntheticCase();
+  ResectionPlane& plane = source.plans[0].resections[0].planes[0];
+  plane.bend = flatBend(plane, 20);
+  for (std::size_t n = 0; n < 16; ++n) {
+    plane.bend->heightsMm[n] = 0.5 * 20 * (2.0 * static_cast<double>(n % 4) / 3 - 1);  // no curvature inside
+  }
+  const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+  const SurfaceMesh surface = readMesh(folder / "resection_surface_01.stl");
+  const BentSurface bent(plane);
+  for (const Triangle& t : surface.triangles) {
+    const auto& v = surface.vertices;
+    ASSERT_NEAR(bent.above((v[t[0]] + v[t[1]] + v[t[2]]) / 3), 0, 1);
+  }
+}
+
 TEST(BentPackage, BendBesideTheLiverIsRefusedAsAPlaneIs) {
   const Scratch scratch;
   Case source = bentCase();

@@ -121,6 +121,21 @@ TEST(Bend, SwappedSidesSwapEveryPoint) {
   }
 }
 
+TEST(Bend, OppositeNormalTypedWithThreeDecimalsSwapsTheSidesToo) {
+  const ResectionPlane bent(kOblique, randomBend(kOblique, 7));
+  const Vec3 typed = (Vec3(-0.333, 0.667, -0.667)).normalized();
+  ASSERT_GT((typed + kOblique.normal).norm(), 1e-4);
+  const ResectionPlane other = movedTo(bent, HalfSpace{kOblique.origin, typed});
+  EXPECT_EQ(other.bend->heightsMm, flipped(bent).bend->heightsMm);
+  EXPECT_EQ(other.normal, typed);
+  EXPECT_NEAR(other.bend->u.dot(typed), 0, 1e-12);
+  std::mt19937 random(7);
+  for (int n = 0; n < 100; ++n) {
+    const Vec3 p = kOblique.origin + randomPoint(random, 60);
+    EXPECT_NEAR(heightAbove(other, p), -heightAbove(bent, p), 0.5);
+  }
+}
+
 TEST(Bend, GoesAlongWithItsPlaneAsARigidBody) {
   const ResectionPlane bent(kOblique, randomBend(kOblique, 5));
   std::mt19937 random(5);

@@ -264,6 +264,26 @@ TEST(BendNumbers, MarginIsTheWayToTheSurface) {
   }
 }
 
+TEST(BendNumbers, MarginIsAtLeastWhatItSaysBesideAStronglyBentPlane) {
+  const Case liver = liverWith(Vec3(12, 3, -2), 6);
+  const ImageGeometry& g = liver.segmentation->geometry;
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> border(-30, 0);
+  std::uniform_real_distribution<double> inner(15, 30);
+  for (int n = 0; n < trials(6); ++n) {
+    const HalfSpace plane{Vec3(-20, 0, 0), (Vec3::UnitX() + 0.1 * randomDirection(random)).normalized()};
+    ResectionPlane bent(plane, flatBend(plane, kLeastBendHalfSizeMm));
+    for (std::size_t p = 0; p < 16; ++p) {
+      bent.bend->heightsMm[p] = groupOf(5)[p] ? inner(random) : border(random);
+    }
+    const CutDistance cut(cutSurface(rowsOf(liver.liver->liver), g.spacing, toImage(planOf({{bent}}), g)));
+    const Margin margin = marginOf(rowsOf(liver.liver->tumour), g.spacing, cut);
+    ASSERT_GT(margin.mm, 0);
+    const double resolution = resolutionMm((margin.to - margin.from).normalized(), g.spacing);
+    EXPECT_LE(margin.atLeast, sampledDistance(liver, bent, 0.15) - resolution);
+  }
+}
+
 TEST(BendNumbers, CutTumoursDepthIsTheWayToTheBentRegion) {
   const Case liver = liverWith(Vec3(2, 1, 0), 9);
   const ImageGeometry& g = liver.segmentation->geometry;
@@ -297,6 +317,33 @@ TEST(BendNumbers, CutTumoursDepthIsTheWayToTheBentRegion) {
       }
     }
     EXPECT_NEAR(t.marginMm.value(), -deepest, 0.02);
+  }
+}
+
+TEST(BendNumbers, NoVoxelOutsideAStronglyBentRegionHasDepthZero) {
+  std::mt19937 random(10);
+  std::uniform_int_distribution<int> at(-25, 25);
+  for (int n = 0; n < trials(300); ++n) {
+    const ResectionPlane bent = bentRandomly({Vec3::Zero(), randomDirection(random)}, random, 30, kLeastBendHalfSizeMm);
+    const ImageGeometry g = gridOf({1, 1, 1}, kSpacing);
+    const auto alone = toImage(planOf({{bent}}), g);
+    const auto wedge = toImage(planOf({{bent, ResectionPlane(5 * randomDirection(random), randomDirection(random))}}), g);
+    VoxelRows rows;
+    rows.runs.push_back({at(random), at(random), at(random), 1});
+    rows.voxels = 1;
+    const Box box = boxOf(rows.runs[0], kSpacing);
+    double deepest = 0;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const Vec3 side((corner & 1U) != 0 ? 1 : -1, (corner & 2U) != 0 ? 1 : -1, (corner & 4U) != 0 ? 1 : -1);
+      deepest = std::max(deepest, -alone[0].bends[0].above(box.centre + box.half.cwiseProduct(side)));
+    }
+    Vec3 normal;
+    const double depth = greatestDepth(rows, kSpacing, alone, normal);
+    EXPECT_LE(depth, deepest + 1e-9) << n;
+    EXPECT_EQ(depth > 0, deepest > 0) << n;
+    if (deepest > 0) {
+      EXPECT_GT(greatestDepth(rows, kSpacing, wedge, normal), 0) << n;
+    }
   }
 }
 
