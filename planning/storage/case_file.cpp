@@ -145,7 +145,7 @@ CaseFile CaseFile::create(const fs::path& path, const Case& source, const std::v
     database.execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; BEGIN");
     caseTables::createTables(database);
     const Database* earlier = ct.earlier != nullptr ? &ct.earlier->impl_->database : nullptr;
-    caseTables::writeCase(database, source, meshes, earlier);
+    caseTables::writeCase(database, source, meshes, {earlier, ct.known});
     caseTables::writeHistory(database, history);
     if (ct.embed) {
       caseTables::writeEmbeddedCt(database, *source.ct, context);
@@ -231,6 +231,8 @@ std::vector<PlanStep> CaseFile::history(std::size_t atMost) const { return caseT
 bool CaseFile::ctUnchanged() const {
   return caseTables::readCtFiles(impl_->database) == hashCtFiles(caseTables::readCtSource(impl_->database));
 }
+
+std::vector<CtFileHash> CaseFile::ctFiles() const { return caseTables::readCtFiles(impl_->database); }
 
 bool CaseFile::hasEmbeddedCt() const { return caseTables::hasEmbeddedCt(impl_->database); }
 

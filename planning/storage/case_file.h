@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planning/case/case.h"
+#include "planning/storage/ct_files.h"
 
 namespace glisson {
 
@@ -30,6 +31,9 @@ class CaseFile;
 struct CtStorage {
   bool embed = false;                 ///< the voxels of source.ct
   const CaseFile* earlier = nullptr;  ///< the file the case was in: its embedded CT and the SHA-256 it knows go over
+  /// Of the files at source.ctSource, where they are known and `earlier` is not at hand. Hashed are the files only of a case that
+  /// was in no file yet: what lies at the path later may be something else.
+  std::optional<std::vector<CtFileHash>> known{};
 };
 
 class CaseFile {
@@ -62,6 +66,8 @@ class CaseFile {
   [[nodiscard]] std::vector<PlanStep> history(std::size_t atMost = 100) const;
   /// The files at ctSource are those the case was made from, by SHA-256. False where they are gone or other ones.
   [[nodiscard]] bool ctUnchanged() const;
+  /// The files the case was made from; none where they could not be read then.
+  [[nodiscard]] std::vector<CtFileHash> ctFiles() const;
   [[nodiscard]] bool hasEmbeddedCt() const;
   /// The CT in the file, proven by its SHA-256; null where it has none. Throws InputError where it is damaged: the rest of the case
   /// is not concerned. Throws Cancelled.

@@ -118,6 +118,27 @@ TEST(EmbeddedCt, GoesOverIntoTheNextFileWithWhatTheOldOneKnowsOfTheCt) {
   EXPECT_FALSE(CaseFile::create(scratch.path / "c.glisson", read, {}, {.earlier = &second}).ctUnchanged()) << "H2";
 }
 
+TEST(EmbeddedCt, ACopyOfACaseWhoseImagesWereOverwrittenOrAreMissingVouchesForNoOtherImages_H2) {
+  const Scratch scratch;
+  const fs::path image = scratch.path / "ct.nii.gz";
+  std::ofstream(image) << "the images";
+  Case source = caseWithCt();
+  source.ctSource = image.string();
+  const CaseFile first = CaseFile::create(scratch.path / "a.glisson", source, {}, {.embed = true});
+  std::ofstream(image) << "another patient";
+  const CaseFile copy = CaseFile::create(scratch.path / "b.glisson", source, {}, {.embed = true, .known = first.ctFiles()});
+  EXPECT_EQ(copy.ctFiles(), first.ctFiles());
+  EXPECT_FALSE(copy.ctUnchanged());
+  const CaseFile kept = CaseFile::create(scratch.path / "c.glisson", source, {}, {.embed = true, .earlier = &first});
+  EXPECT_FALSE(kept.ctUnchanged());
+  fs::remove(image);
+  const CaseFile unknown = CaseFile::create(scratch.path / "d.glisson", source, {}, {.embed = true});
+  std::ofstream(image) << "another patient";
+  const CaseFile later = CaseFile::create(scratch.path / "e.glisson", source, {}, {.earlier = &unknown});
+  EXPECT_TRUE(later.ctFiles().empty());
+  EXPECT_FALSE(later.ctUnchanged());
+}
+
 TEST(EmbeddedCt, DamageIsToldWithTheFilesNameAndTheCaseStillOpens) {
   const Scratch scratch;
   const fs::path whole = scratch.path / "whole.glisson";
