@@ -2591,6 +2591,14 @@
         <source>Plane %1 of %2 is bent in another way in %3 than in %4.</source>
         <translation>Ebene %1 von %2 ist in %3 anders gebogen als in %4.</translation>
     </message>
+    <message>
+        <source>%1 holds an embedded CT that needs more memory than there is and is not shown; close other programs, then open the case again.</source>
+        <translation>%1 enthält eine eingebettete CT, die mehr Speicher braucht, als vorhanden ist, und nicht gezeigt wird; schließen Sie andere Programme und öffnen Sie den Fall erneut.</translation>
+    </message>
+    <message>
+        <source>The CT at %1 cannot be read: the CT embedded in the case is shown.</source>
+        <translation>Die CT unter %1 ist nicht lesbar: Gezeigt wird die in den Fall eingebettete CT.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>

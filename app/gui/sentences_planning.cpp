@@ -194,6 +194,9 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"fs", QT_TRANSLATE_NOOP("Sentence",
                              "%1 holds an embedded CT that is damaged (%2) and not shown; the rest of the case is whole, ask for "
                              "the file again to see the slices.")},
+    {"", QT_TRANSLATE_NOOP("Sentence",
+                           "%1 holds an embedded CT that needs more memory than there is and is not shown; close other programs, "
+                           "then open the case again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its description cannot be read")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its size is impossible")},
     {"", QT_TRANSLATE_NOOP("Sentence", "it does not lie on the grid of the labels")},
