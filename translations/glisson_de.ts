@@ -2882,8 +2882,8 @@
         <translation>geb. %1</translation>
     </message>
     <message>
-        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, control points mm above the plane row by row: %4.</source>
-        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, Kontrollpunkte in mm über der Ebene, Reihe für Reihe: %4.</translation>
+        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as they are at its border.</source>
+        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, v = Normale x u entlang %4. Kontrollpunkte in mm über der Ebene, von -u und -v an, u läuft am schnellsten: %5. Jenseits des Quadrats gehen die Höhen weiter wie an seinem Rand.</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -203,12 +204,15 @@ Json bendsJson(const ResectionPlan& plan) {
       const ResectionPlane& plane = resection.planes[p];
       if (plane.bend) {
         const Vec3& u = plane.bend->u;
+        const Vec3 v = plane.normal.cross(u);
         json.push_back({{"resection", resection.name},
                         {"plane", p + 1},
                         {"originMm", {plane.origin[0], plane.origin[1], plane.origin[2]}},
                         {"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}},
                         {"u", {u[0], u[1], u[2]}},
+                        {"v", {v[0], v[1], v[2]}},
                         {"halfSizeMm", plane.bend->halfSizeMm},
+                        {"order", kBendOrder},
                         {"heightsMm", plane.bend->heightsMm}});
       }
     }
