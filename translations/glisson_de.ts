@@ -2599,6 +2599,10 @@
         <source>The CT at %1 cannot be read: the CT embedded in the case is shown.</source>
         <translation>Die CT unter %1 ist nicht lesbar: Gezeigt wird die in den Fall eingebettete CT.</translation>
     </message>
+    <message>
+        <source>A case holds at most 100 territories of at most 100 points each; point at fewer branches.</source>
+        <translation>Ein Fall enthält höchstens 100 Territorien mit je höchstens 100 Punkten; zeigen Sie auf weniger Äste.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>

@@ -233,6 +233,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
      QT_TRANSLATE_NOOP("Sentence", "The branches marked earlier are not in this portal vein; left and right are proposed anew.")},
     {"",
      QT_TRANSLATE_NOOP("Sentence", "A territory needs a name and points that are finite numbers; point at its branches again.")},
+    {"",
+     QT_TRANSLATE_NOOP("Sentence", "A case holds at most 100 territories of at most 100 points each; point at fewer branches.")},
     {"n", QT_TRANSLATE_NOOP(
               "Sentence", "The proposed left side has %1 % of the portal branches' length, which is unusual; look at it closely.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1: the portal vein has no branch %2; it has 0 to %3.")},
