@@ -278,6 +278,29 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
   }
 }
 
+/// All that the call changes, or nothing of it.
+void store(CaseFile& file, Work& work, const PatientFacts& before, const std::shared_ptr<const LiverModel>& modelBefore,
+           const TerritoryCommand* territories) {
+  const TerritoryMarks marks = territories != nullptr ? territories->marks() : work.source.territories;
+  CaseChanges changes;
+  if (work.edited) {
+    changes.plans = &work.source.plans;
+  }
+  if (work.source.patient != before) {
+    changes.patient = &work.source.patient;
+    changes.patientEdit = "change patient facts";
+  }
+  if (!(marks == work.source.territories)) {
+    changes.territories = &marks;
+  }
+  if (work.source.model != modelBefore) {
+    changes.model = work.source.model.get();
+  }
+  if (changes.plans != nullptr || changes.patient != nullptr || changes.territories != nullptr || changes.model != nullptr) {
+    file.store(changes);
+  }
+}
+
 int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   checkFlags(flags);
   checkTerritoryFlags(flags.territories);
@@ -306,17 +329,8 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   if (flags.territories.wanted) {
     territories.emplace(work.source, flags.territories, context);
   }
-  if (work.edited && !flags.dryRun) {
-    file.storePlans(work.source.plans);
-  }
-  if (work.source.patient != before && !flags.dryRun) {
-    file.storePatient(work.source.patient, "change patient facts");
-  }
-  if (territories && !(territories->marks() == work.source.territories) && !flags.dryRun) {
-    file.storeTerritories(territories->marks());
-  }
-  if (work.source.model != modelBefore && !flags.dryRun) {
-    file.storeModel(*work.source.model);
+  if (!flags.dryRun) {
+    store(file, work, before, modelBefore, territories ? &*territories : nullptr);
   }
   show(flags, work, assessment, comparison, territories ? &*territories : nullptr, context);
   return kDone;

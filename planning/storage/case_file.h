@@ -36,6 +36,16 @@ struct CtStorage {
   std::optional<std::vector<CtFileHash>> known{};
 };
 
+/// What one edit replaces; null is what stays.
+struct CaseChanges {
+  const std::vector<ResectionPlan>* plans = nullptr;
+  std::string planEdit{};  ///< names of the undo records
+  const PatientFacts* patient = nullptr;
+  std::string patientEdit{};
+  const TerritoryMarks* territories = nullptr;
+  const LiverModel* model = nullptr;
+};
+
 class CaseFile {
  public:
   /// Creates a new file holding `source` (masks and meshes compressed, the CT by path and SHA-256). Written beside and renamed: an
@@ -51,6 +61,8 @@ class CaseFile {
 
   /// The whole case. The CT is not read (its path is in ctSource; see embeddedCt()); `ct` is null.
   [[nodiscard]] Case load() const;
+  /// All of `changes` in one committed transaction, or nothing of it; each as the function of its own below.
+  void store(const CaseChanges& changes);
   /// Replaces the plans in one committed transaction, together with its undo record; equal plans are no edit. Throws InputError
   /// where the file is read-only or the disk is full, PlanningError where a plane is not finite; the file then holds what it held.
   void storePlans(const std::vector<ResectionPlan>& plans, const std::string& name = {});
