@@ -2591,6 +2591,18 @@
         <source>Plane %1 of %2 is bent in another way in %3 than in %4.</source>
         <translation>Ebene %1 von %2 ist in %3 anders gebogen als in %4.</translation>
     </message>
+    <message>
+        <source>%1 holds an embedded CT that needs more memory than there is and is not shown; close other programs, then open the case again.</source>
+        <translation>%1 enthält eine eingebettete CT, die mehr Speicher braucht, als vorhanden ist, und nicht gezeigt wird; schließen Sie andere Programme und öffnen Sie den Fall erneut.</translation>
+    </message>
+    <message>
+        <source>The CT at %1 cannot be read: the CT embedded in the case is shown.</source>
+        <translation>Die CT unter %1 ist nicht lesbar: Gezeigt wird die in den Fall eingebettete CT.</translation>
+    </message>
+    <message>
+        <source>A case holds at most 100 territories of at most 100 points each; point at fewer branches.</source>
+        <translation>Ein Fall enthält höchstens 100 Territorien mit je höchstens 100 Punkten; zeigen Sie auf weniger Äste.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -2874,8 +2886,8 @@
         <translation>geb. %1</translation>
     </message>
     <message>
-        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, control points mm above the plane row by row: %4.</source>
-        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, Kontrollpunkte in mm über der Ebene, Reihe für Reihe: %4.</translation>
+        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as they are at its border.</source>
+        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, v = Normale x u entlang %4. Kontrollpunkte in mm über der Ebene, von -u und -v an, u läuft am schnellsten: %5. Jenseits des Quadrats gehen die Höhen weiter wie an seinem Rand.</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -203,12 +204,15 @@ Json bendsJson(const ResectionPlan& plan) {
       const ResectionPlane& plane = resection.planes[p];
       if (plane.bend) {
         const Vec3& u = plane.bend->u;
+        const Vec3 v = plane.normal.cross(u);
         json.push_back({{"resection", resection.name},
                         {"plane", p + 1},
                         {"originMm", {plane.origin[0], plane.origin[1], plane.origin[2]}},
                         {"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}},
                         {"u", {u[0], u[1], u[2]}},
+                        {"v", {v[0], v[1], v[2]}},
                         {"halfSizeMm", plane.bend->halfSizeMm},
+                        {"order", kBendOrder},
                         {"heightsMm", plane.bend->heightsMm}});
       }
     }
@@ -274,6 +278,29 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
   }
 }
 
+/// All that the call changes, or nothing of it.
+void store(CaseFile& file, Work& work, const PatientFacts& before, const std::shared_ptr<const LiverModel>& modelBefore,
+           const TerritoryCommand* territories) {
+  const TerritoryMarks marks = territories != nullptr ? territories->marks() : work.source.territories;
+  CaseChanges changes;
+  if (work.edited) {
+    changes.plans = &work.source.plans;
+  }
+  if (work.source.patient != before) {
+    changes.patient = &work.source.patient;
+    changes.patientEdit = "change patient facts";
+  }
+  if (!(marks == work.source.territories)) {
+    changes.territories = &marks;
+  }
+  if (work.source.model != modelBefore) {
+    changes.model = work.source.model.get();
+  }
+  if (changes.plans != nullptr || changes.patient != nullptr || changes.territories != nullptr || changes.model != nullptr) {
+    file.store(changes);
+  }
+}
+
 int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   checkFlags(flags);
   checkTerritoryFlags(flags.territories);
@@ -302,17 +329,8 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   if (flags.territories.wanted) {
     territories.emplace(work.source, flags.territories, context);
   }
-  if (work.edited && !flags.dryRun) {
-    file.storePlans(work.source.plans);
-  }
-  if (work.source.patient != before && !flags.dryRun) {
-    file.storePatient(work.source.patient, "change patient facts");
-  }
-  if (territories && !(territories->marks() == work.source.territories) && !flags.dryRun) {
-    file.storeTerritories(territories->marks());
-  }
-  if (work.source.model != modelBefore && !flags.dryRun) {
-    file.storeModel(*work.source.model);
+  if (!flags.dryRun) {
+    store(file, work, before, modelBefore, territories ? &*territories : nullptr);
   }
   show(flags, work, assessment, comparison, territories ? &*territories : nullptr, context);
   return kDone;

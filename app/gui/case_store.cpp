@@ -83,11 +83,14 @@ void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
   });
 }
 
-void CaseStore::withHistory(std::function<void(std::vector<PlanStep>)> then) {
+void CaseStore::withRecord(std::function<void(FileRecord)> then) {
   post([this, then = std::move(then)](Worker& worker) {
-    std::vector<PlanStep> history = worker.file ? worker.file->history() : std::vector<PlanStep>();
+    FileRecord record;
+    if (worker.file) {
+      record = {worker.file->history(), worker.file->ctFiles()};
+    }
     QMetaObject::invokeMethod(
-        this, [then, history = std::move(history)] { then(history); }, Qt::QueuedConnection);
+        this, [then, record = std::move(record)] { then(record); }, Qt::QueuedConnection);
   });
 }
 

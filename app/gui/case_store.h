@@ -11,11 +11,18 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "planning/storage/case_file.h"
 
 namespace glisson {
+
+/// What a copy of the file takes over that is not in the case.
+struct FileRecord {
+  std::vector<PlanStep> history;
+  std::optional<std::vector<CtFileHash>> ctFiles;  ///< nothing: the case is in no file
+};
 
 class CaseStore : public QObject {
   Q_OBJECT
@@ -33,8 +40,8 @@ class CaseStore : public QObject {
   void storePatient(const PatientFacts& facts, const QString& name);
   void storeTerritories(const TerritoryMarks& marks);
   void storeModel(std::shared_ptr<const LiverModel> model);
-  /// Hands the undo records of everything given over before to `then`, later, on the UI thread.
-  void withHistory(std::function<void(std::vector<PlanStep>)> then);
+  /// Hands the undo records of everything given over before, and the SHA-256 of the CT's files, to `then`, later, on the UI thread.
+  void withRecord(std::function<void(FileRecord)> then);
   /// Writes the whole case to `path`, goes on there, and removes `obsolete` (a recovery file) where it is given. A CT embedded in
   /// the file it was in goes over.
   void saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete);

@@ -176,13 +176,13 @@ void Document::saveCopyWithCt(const std::filesystem::path& path) {
                          .arg(QString::fromStdString(path.string())));
     return;
   }
-  store_.withHistory([this, path, content = case_](const std::vector<PlanStep>& history) {
+  store_.withRecord([this, path, content = case_](const FileRecord& record) {
     JobRequest request{.key = "copy", .title = tr("Saving a copy with the CT")};
     request.fail = [this](const std::exception& error) { emit storeFailed(messageOf(error)); };
     submitFor<std::filesystem::path>(
         jobs_, std::move(request),
-        [path, content, history](const ExecutionContext& context) {
-          return CaseFile::create(path, content, history, {.embed = true}, context).path();
+        [path, content, record](const ExecutionContext& context) {
+          return CaseFile::create(path, content, record.history, {.embed = true, .known = record.ctFiles}, context).path();
         },
         [this](const std::filesystem::path& written) { emit copySaved(QString::fromStdString(written.string())); });
   });

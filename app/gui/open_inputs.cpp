@@ -102,6 +102,23 @@ std::shared_ptr<const CtVolume> embeddedCtOf(OpenedCase& opened, const Execution
   }
 }
 
+/// The CT where the case says; where it cannot be read or does not lie on the labels, the one in the file and a note.
+std::shared_ptr<const CtVolume> namedCtOrEmbedded(OpenedCase& opened, const ExecutionContext& context) {
+  try {
+    std::shared_ptr<const CtVolume> ct = readCtOf(opened.content, context);
+    if (ct->geometry.cornerDistance(opened.content.segmentation->geometry) <= kSameGridMm) {
+      return ct;
+    }
+  } catch (const InputError&) {  // told below, or when it is read for the view
+  }
+  std::shared_ptr<const CtVolume> ct = embeddedCtOf(opened, context);
+  if (ct) {
+    opened.content.notes.push_back("The CT at " + opened.content.ctSource +
+                                   " cannot be read: the CT embedded in the case is shown.");
+  }
+  return ct;
+}
+
 OpenedCase openCaseFile(const fs::path& path, const ExecutionContext& context) {
   OpenedCase opened;
   opened.file = std::make_shared<CaseFile>(CaseFile::open(path));
@@ -110,7 +127,10 @@ OpenedCase openCaseFile(const fs::path& path, const ExecutionContext& context) {
   const bool builtIn = ct == kSampleSource;
   const bool there = !ct.empty() && !builtIn && fs::exists(ct);
   if (builtIn || (there && opened.file->ctUnchanged())) {
-    return opened;  // read when the case is shown
+    if (!builtIn && opened.file->hasEmbeddedCt()) {
+      opened.content.ct = namedCtOrEmbedded(opened, context);
+    }  // else it is read when the case is shown
+    return opened;
   }
   opened.content.ct = embeddedCtOf(opened, context);
   std::vector<std::string>& notes = opened.content.notes;

@@ -46,8 +46,8 @@ struct SortedInputs {
 /// Throws InputError where a path is nothing known, or two paths are the same sort of thing.
 SortedInputs sortInputs(const std::vector<std::filesystem::path>& paths);
 
-/// The content of a case has no CT yet but where the one it names is missing or another one, and its own is embedded.
-/// Throws InputError (a sentence that names the consent's flag where one is missing), Cancelled.
+/// The content of a case has its CT only where one is embedded: the one it names, or the embedded one where that is missing,
+/// another one or not to be read. Throws InputError (a sentence that names the consent's flag where one is missing), Cancelled.
 OpenedCase openInputs(const OpenRequest& request, const ExecutionContext& context = {});
 
 /// The CT of a case whose file names its path; null where it has none. Throws InputError, Cancelled.

@@ -1,5 +1,6 @@
 #include "app/gui/plan_report.h"
 
+#include <Eigen/Geometry>
 #include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
 #include <QLocale>
@@ -190,32 +191,34 @@ QString territoriesOf(const PlanReport& report) {
   return html;
 }
 
+QString vectorText(const Vec3& v, int decimals) {
+  return QStringLiteral("%1  %2  %3").arg(numberText(v.x(), decimals), numberText(v.y(), decimals), numberText(v.z(), decimals));
+}
+
 /// All that a bent plane is, beyond its point and normal.
-QString bendText(const QString& name, const Bend& bend) {
+QString bendText(const QString& name, const ResectionPlane& plane) {
+  const Bend& bend = *plane.bend;
   QStringList heights;
   for (const double height : bend.heightsMm) {
     heights << numberText(height, 1);
   }
-  const QString u =
-      QStringLiteral("%1  %2  %3").arg(numberText(bend.u.x(), 4), numberText(bend.u.y(), 4), numberText(bend.u.z(), 4));
-  return tr("%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, control points mm above the "
-            "plane "
-            "row by row: %4.")
-      .arg(name, numberText(2 * bend.halfSizeMm, 0), u, heights.join(QStringLiteral("; ")));
+  return tr("%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. "
+            "Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as "
+            "they are at its border.")
+      .arg(name, numberText(2 * bend.halfSizeMm, 0), vectorText(bend.u, 4), vectorText(plane.normal.cross(bend.u), 4),
+           heights.join(QStringLiteral("; ")));
 }
 
 QString planesOf(const PlanReport& report) {
   QString rows = header({tr("Plane"), tr("a point of it, mm LPS"), tr("normal, to the resected side")});
-  const auto vector = [](const Vec3& v, int decimals) {
-    return QStringLiteral("%1  %2  %3").arg(numberText(v.x(), decimals), numberText(v.y(), decimals), numberText(v.z(), decimals));
-  };
   QString bends;
   for (const Resection& resection : report.plan.resections) {
     for (std::size_t n = 0; n < resection.planes.size(); ++n) {
-      rows += row({shownName(resection.name) + QStringLiteral(", ") + QString::number(n + 1), vector(resection.planes[n].origin, 1),
-                   vector(resection.planes[n].normal, 4)});
-      if (const auto& bend = resection.planes[n].bend) {
-        bends += paragraph(bendText(shownName(resection.name) + QStringLiteral(", ") + QString::number(n + 1), *bend));
+      rows += row({shownName(resection.name) + QStringLiteral(", ") + QString::number(n + 1),
+                   vectorText(resection.planes[n].origin, 1), vectorText(resection.planes[n].normal, 4)});
+      if (resection.planes[n].bend) {
+        bends +=
+            paragraph(bendText(shownName(resection.name) + QStringLiteral(", ") + QString::number(n + 1), resection.planes[n]));
       }
     }
   }

@@ -194,6 +194,9 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"fs", QT_TRANSLATE_NOOP("Sentence",
                              "%1 holds an embedded CT that is damaged (%2) and not shown; the rest of the case is whole, ask for "
                              "the file again to see the slices.")},
+    {"", QT_TRANSLATE_NOOP("Sentence",
+                           "%1 holds an embedded CT that needs more memory than there is and is not shown; close other programs, "
+                           "then open the case again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its description cannot be read")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its size is impossible")},
     {"", QT_TRANSLATE_NOOP("Sentence", "it does not lie on the grid of the labels")},
@@ -230,6 +233,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
      QT_TRANSLATE_NOOP("Sentence", "The branches marked earlier are not in this portal vein; left and right are proposed anew.")},
     {"",
      QT_TRANSLATE_NOOP("Sentence", "A territory needs a name and points that are finite numbers; point at its branches again.")},
+    {"",
+     QT_TRANSLATE_NOOP("Sentence", "A case holds at most 100 territories of at most 100 points each; point at fewer branches.")},
     {"n", QT_TRANSLATE_NOOP(
               "Sentence", "The proposed left side has %1 % of the portal branches' length, which is unusual; look at it closely.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1: the portal vein has no branch %2; it has 0 to %3.")},

@@ -29,6 +29,7 @@ constexpr auto kRows = std::to_array<SentenceRow>({
              "The CT at %1 is not the one this case was made from (its files have changed): the CT embedded in the case is "
              "shown.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The CT of this case is not at %1: the CT embedded in the case is shown.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The CT at %1 cannot be read: the CT embedded in the case is shown.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 is the file this case is kept in; save the copy under another name.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The CT of this case is no longer at %1; put it back to see the slices.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The CT at %1 does not lie on the grid of the labels and is not shown.")},

@@ -7,6 +7,11 @@
 namespace glisson {
 
 void validate(const TerritoryMarks& marks) {
+  const bool tooLong =
+      std::ranges::any_of(marks.marks, [](const TerritoryMark& mark) { return mark.pointsMm.size() > kMostMarkPoints; });
+  if (marks.marks.size() > kMostTerritoryMarks || tooLong) {
+    throw PlanningError("A case holds at most 100 territories of at most 100 points each; point at fewer branches.");
+  }
   for (const TerritoryMark& mark : marks.marks) {
     const bool finite = std::ranges::all_of(mark.pointsMm, [](const Vec3& point) { return point.allFinite(); });
     if (mark.name.empty() || mark.pointsMm.empty() || !finite) {

@@ -2,6 +2,7 @@
 // Purpose: what the user said about the territories, kept with the case. As points, since branches are found anew from the labels:
 // a point means the portal branch whose centreline it lies on, with all behind it. Frame: mm LPS.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,11 @@ struct TerritoryMarks {
   bool operator==(const TerritoryMarks&) const = default;
 };
 
-/// Throws PlanningError where a name or a mark is empty or a point is not finite.
+/// More than anybody points at; each point is looked up among the portal branches.
+inline constexpr std::size_t kMostTerritoryMarks = 100;
+inline constexpr std::size_t kMostMarkPoints = 100;
+
+/// Throws PlanningError where a name or a mark is empty, a point is not finite or there are too many of them.
 void validate(const TerritoryMarks& marks);
 
 }  // namespace glisson

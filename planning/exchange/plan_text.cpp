@@ -1,4 +1,5 @@
 // plan.json, the sidecar of clinical.md: what a receiver must know that STL and GLB cannot say.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -65,9 +66,12 @@ Json resectionOf(const Case& source, const Resection& resection, std::size_t ind
   for (const ResectionPlane& plane : resection.planes) {
     json["planes"].push_back({{"originMm", toArray(plane.origin)}, {"normalToResectedSide", toArray(plane.normal)}});
     if (plane.bend) {
-      // v = normal x u; the surface is origin + U u + V v + h(U, V) normal, h the cubic Bezier surface of these heights.
-      json["planes"].back()["bend"] = {
-          {"u", toArray(plane.bend->u)}, {"halfSizeMm", plane.bend->halfSizeMm}, {"heightsMm", plane.bend->heightsMm}};
+      // The surface is origin + U u + V v + h(U, V) normal, h the cubic Bezier surface of these heights.
+      json["planes"].back()["bend"] = {{"u", toArray(plane.bend->u)},
+                                       {"v", toArray(plane.normal.cross(plane.bend->u))},
+                                       {"halfSizeMm", plane.bend->halfSizeMm},
+                                       {"order", kBendOrder},
+                                       {"heightsMm", plane.bend->heightsMm}};
     }
   }
   json["meshes"] = Json::array();

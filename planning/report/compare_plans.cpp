@@ -127,7 +127,9 @@ struct Difference {
       const ResectionPlane& from = one.planes[p];
       const ResectionPlane& to = other.planes[p];
       const double degrees = std::atan2(from.normal.cross(to.normal).norm(), from.normal.dot(to.normal)) * 180 / std::numbers::pi;
-      const double away = std::abs(to.normal.dot(from.origin - to.origin));
+      // A flat plane is the same wherever within it its point lies; a bend goes with the point.
+      const double along = std::abs(to.normal.dot(from.origin - to.origin));
+      const double away = from.bend && to.bend ? (from.origin - to.origin).norm() : along;
       const std::string turn = formatNumber(degrees, 1);
       const std::string shift = formatNumber(away, 1);
       if (turn != "0.0" || shift != "0.0") {

@@ -21,6 +21,9 @@ struct Bend {
   bool operator==(const Bend&) const = default;
 };
 
+/// Which height is which, for files that leave the program.
+inline constexpr const char* kBendOrder = "[4 j + i]: i along u, j along v";
+
 inline constexpr double kLeastBendHalfSizeMm = 10;
 inline constexpr double kMostBendMm = 1000;  ///< of half size and heights
 

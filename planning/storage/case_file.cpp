@@ -145,7 +145,7 @@ CaseFile CaseFile::create(const fs::path& path, const Case& source, const std::v
     database.execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; BEGIN");
     caseTables::createTables(database);
     const Database* earlier = ct.earlier != nullptr ? &ct.earlier->impl_->database : nullptr;
-    caseTables::writeCase(database, source, meshes, earlier);
+    caseTables::writeCase(database, source, meshes, {earlier, ct.known});
     caseTables::writeHistory(database, history);
     if (ct.embed) {
       caseTables::writeEmbeddedCt(database, *source.ct, context);
@@ -193,44 +193,48 @@ Case CaseFile::load() const {
   }
 }
 
-void CaseFile::storePlans(const std::vector<ResectionPlan>& plans, const std::string& name) {
+void CaseFile::store(const CaseChanges& changes) {
   impl_->requireWriter();
-  Transaction transaction(impl_->database);
-  if (caseTables::writePlans(impl_->database, plans, name)) {
-    transaction.commit();
-  }
-}
-
-void CaseFile::storePatient(const PatientFacts& facts, const std::string& name) {
-  impl_->requireWriter();
-  Transaction transaction(impl_->database);
-  if (caseTables::writePatient(impl_->database, facts, name)) {
-    transaction.commit();
-  }
-}
-
-void CaseFile::storeTerritories(const TerritoryMarks& marks) {
-  impl_->requireWriter();
-  Transaction transaction(impl_->database);
-  if (caseTables::writeTerritories(impl_->database, marks)) {
-    transaction.commit();
-  }
-}
-
-void CaseFile::storeModel(const LiverModel& model) {
-  impl_->requireWriter();
+  const Database& database = impl_->database;
   caseTables::StoredMeshes meshes = impl_->meshes;
-  Transaction transaction(impl_->database);
-  caseTables::writeModel(impl_->database, model, meshes);
-  transaction.commit();
-  impl_->meshes = std::move(meshes);
+  Transaction transaction(database);
+  bool changed = false;
+  if (changes.plans != nullptr) {
+    changed = caseTables::writePlans(database, *changes.plans, changes.planEdit);
+  }
+  if (changes.patient != nullptr) {
+    changed = caseTables::writePatient(database, *changes.patient, changes.patientEdit) || changed;
+  }
+  if (changes.territories != nullptr) {
+    changed = caseTables::writeTerritories(database, *changes.territories) || changed;
+  }
+  if (changes.model != nullptr) {
+    caseTables::writeModel(database, *changes.model, meshes);
+    changed = true;
+  }
+  if (changed) {
+    transaction.commit();
+    impl_->meshes = std::move(meshes);
+  }
 }
+
+void CaseFile::storePlans(const std::vector<ResectionPlan>& plans, const std::string& name) {
+  store({.plans = &plans, .planEdit = name});
+}
+
+void CaseFile::storePatient(const PatientFacts& facts, const std::string& name) { store({.patient = &facts, .patientEdit = name}); }
+
+void CaseFile::storeTerritories(const TerritoryMarks& marks) { store({.territories = &marks}); }
+
+void CaseFile::storeModel(const LiverModel& model) { store({.model = &model}); }
 
 std::vector<PlanStep> CaseFile::history(std::size_t atMost) const { return caseTables::readHistory(impl_->database, atMost); }
 
 bool CaseFile::ctUnchanged() const {
   return caseTables::readCtFiles(impl_->database) == hashCtFiles(caseTables::readCtSource(impl_->database));
 }
+
+std::vector<CtFileHash> CaseFile::ctFiles() const { return caseTables::readCtFiles(impl_->database); }
 
 bool CaseFile::hasEmbeddedCt() const { return caseTables::hasEmbeddedCt(impl_->database); }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planning/case/case.h"
+#include "planning/storage/ct_files.h"
 
 namespace glisson {
 
@@ -30,6 +31,19 @@ class CaseFile;
 struct CtStorage {
   bool embed = false;                 ///< the voxels of source.ct
   const CaseFile* earlier = nullptr;  ///< the file the case was in: its embedded CT and the SHA-256 it knows go over
+  /// Of the files at source.ctSource, where they are known and `earlier` is not at hand. Hashed are the files only of a case that
+  /// was in no file yet: what lies at the path later may be something else.
+  std::optional<std::vector<CtFileHash>> known{};
+};
+
+/// What one edit replaces; null is what stays.
+struct CaseChanges {
+  const std::vector<ResectionPlan>* plans = nullptr;
+  std::string planEdit{};  ///< names of the undo records
+  const PatientFacts* patient = nullptr;
+  std::string patientEdit{};
+  const TerritoryMarks* territories = nullptr;
+  const LiverModel* model = nullptr;
 };
 
 class CaseFile {
@@ -47,6 +61,8 @@ class CaseFile {
 
   /// The whole case. The CT is not read (its path is in ctSource; see embeddedCt()); `ct` is null.
   [[nodiscard]] Case load() const;
+  /// All of `changes` in one committed transaction, or nothing of it; each as the function of its own below.
+  void store(const CaseChanges& changes);
   /// Replaces the plans in one committed transaction, together with its undo record; equal plans are no edit. Throws InputError
   /// where the file is read-only or the disk is full, PlanningError where a plane is not finite; the file then holds what it held.
   void storePlans(const std::vector<ResectionPlan>& plans, const std::string& name = {});
@@ -62,6 +78,8 @@ class CaseFile {
   [[nodiscard]] std::vector<PlanStep> history(std::size_t atMost = 100) const;
   /// The files at ctSource are those the case was made from, by SHA-256. False where they are gone or other ones.
   [[nodiscard]] bool ctUnchanged() const;
+  /// The files the case was made from; none where they could not be read then.
+  [[nodiscard]] std::vector<CtFileHash> ctFiles() const;
   [[nodiscard]] bool hasEmbeddedCt() const;
   /// The CT in the file, proven by its SHA-256; null where it has none. Throws InputError where it is damaged: the rest of the case
   /// is not concerned. Throws Cancelled.

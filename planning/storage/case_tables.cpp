@@ -157,18 +157,18 @@ void createTables(const Database& database) {
 
 namespace {
 /// The files' hashes are of the day the case was made: what lies at the path by now may be something else, or nothing.
-std::vector<CtFileHash> ctFilesOf(const Case& source, const Database* earlier) {
-  if (earlier != nullptr && readCtSource(*earlier) == source.ctSource) {
-    std::vector<CtFileHash> known = readCtFiles(*earlier);
-    if (!known.empty()) {
-      return known;
-    }
+std::vector<CtFileHash> ctFilesOf(const Case& source, const KnownCt& known) {
+  if (known.files) {
+    return *known.files;
+  }
+  if (known.earlier != nullptr) {
+    return readCtSource(*known.earlier) == source.ctSource ? readCtFiles(*known.earlier) : std::vector<CtFileHash>();
   }
   return hashCtFiles(source.ctSource);
 }
 }  // namespace
 
-void writeCase(const Database& database, const Case& source, StoredMeshes& stored, const Database* earlier) {
+void writeCase(const Database& database, const Case& source, StoredMeshes& stored, const KnownCt& known) {
   Json json;
   json["code"] = source.code;
   json["identity"] = caseJson::fromIdentity(source.identity);
@@ -189,7 +189,7 @@ void writeCase(const Database& database, const Case& source, StoredMeshes& store
     putTerritories(database, source.territories);
   }
   if (!source.ctSource.empty()) {
-    for (const CtFileHash& file : ctFilesOf(source, earlier)) {
+    for (const CtFileHash& file : ctFilesOf(source, known)) {
       Statement(database, "INSERT INTO ct_file(name, bytes, sha256) VALUES(?, ?, ?)")
           .bind(0, std::string_view(file.name))
           .bind(1, file.bytes)

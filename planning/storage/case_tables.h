@@ -30,8 +30,13 @@ using StoredMeshes = std::map<std::string, std::shared_ptr<const Reconstruction>
 
 /// None of these opens a transaction.
 void createTables(const Database& database);
-/// `earlier`, which may be null: the file the case was in; what it knows of the same CT goes over.
-void writeCase(const Database& database, const Case& source, StoredMeshes& stored, const Database* earlier);
+/// What is known of the files at the case's ctSource.
+struct KnownCt {
+  const Database* earlier = nullptr;  ///< the file the case was in, or null
+  const std::optional<std::vector<CtFileHash>>& files;
+};
+/// The CT's files are hashed only where nothing is known of them.
+void writeCase(const Database& database, const Case& source, StoredMeshes& stored, const KnownCt& known);
 void writeModel(const Database& database, const LiverModel& model, StoredMeshes& stored);
 /// Replaces the plans and appends the edit to the history; false where nothing changed.
 bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans, const std::string& name);

@@ -1,6 +1,7 @@
 #include "planning/storage/embedded_ct.h"
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 #include "planning/storage/case_json.h"
@@ -23,6 +24,10 @@ constexpr std::size_t kMostGain = 1032;                   ///< of zlib
 
 std::size_t sliceVoxels(const ImageGeometry& geometry) {
   return static_cast<std::size_t>(geometry.size[0]) * static_cast<std::size_t>(geometry.size[1]);
+}
+
+std::size_t mostSlicesPerPart(const ImageGeometry& geometry) {
+  return std::max<std::size_t>(1, kPartBytes / (2 * sliceVoxels(geometry)));
 }
 
 bool isTooLarge(const ImageGeometry& geometry) {
@@ -54,7 +59,7 @@ Layout readLayout(const Database& database, const ImageGeometry& labels) {
   layout.slices = json.at("slicesPerPart").get<std::size_t>();
   layout.hashes = json.at("sha256").get<std::vector<std::string>>();
   if (isTooLarge(layout.geometry) || layout.slices < 1 || layout.slices > static_cast<std::size_t>(layout.geometry.size[2]) ||
-      layout.hashes.size() != partsOf(layout.geometry, layout.slices)) {
+      layout.slices > mostSlicesPerPart(layout.geometry) || layout.hashes.size() != partsOf(layout.geometry, layout.slices)) {
     throw std::runtime_error("its size is impossible");
   }
   if (!(labels.cornerDistance(layout.geometry) <= kSameGridMm) || labels.size != layout.geometry.size) {
@@ -120,7 +125,7 @@ void writeEmbeddedCt(const Database& database, const CtVolume& ct, const Executi
   if (isTooLarge(ct.geometry)) {
     throw InputError(ct.source + " is larger than 4 GiB and cannot be embedded in a case; send its files beside the case.");
   }
-  Layout layout{ct.geometry, std::max<std::size_t>(1, kPartBytes / (2 * sliceVoxels(ct.geometry))), {}};
+  Layout layout{ct.geometry, mostSlicesPerPart(ct.geometry), {}};
   layout.slices = std::min(layout.slices, static_cast<std::size_t>(ct.geometry.size[2]));
   const std::size_t parts = partsOf(ct.geometry, layout.slices);
   layout.hashes.resize(parts);
@@ -181,6 +186,10 @@ std::shared_ptr<CtVolume> readEmbeddedCt(const Database& database, const ImageGe
     damagedCt(database, "its description cannot be read");
   } catch (const std::runtime_error& error) {
     damagedCt(database, error.what());
+  } catch (const std::bad_alloc&) {
+    throw InputError(database.path().string() +
+                     " holds an embedded CT that needs more memory than there is and is not shown; close other programs, then open "
+                     "the case again.");
   }
 }
 

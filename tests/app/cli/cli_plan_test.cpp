@@ -234,6 +234,12 @@ TEST_F(CliPlanning, BendTakesTheIntegralOfItsHeightsAndIsListed) {
   EXPECT_EQ(bent["bends"][0]["plane"], 1);
   EXPECT_EQ(bent["bends"][0]["halfSizeMm"], 70);
   EXPECT_EQ(bent["bends"][0]["heightsMm"][5], 9);
+  const Json& u = bent["bends"][0]["u"];
+  const Json expected{0.0, -u[2].get<double>(), u[1].get<double>()};  // (1, 0, 0) x u
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(bent["bends"][0]["v"][axis].get<double>(), expected[axis].get<double>(), 1e-12);
+  }
+  EXPECT_EQ(bent["bends"][0]["order"], "[4 j + i]: i along u, j along v");
   EXPECT_EQ(plan({})["bends"], bent["bends"]) << "kept in the case";
   EXPECT_NE(cli({"plan", file_}).out.find("plane 1 of Resection 1 is bent"), std::string::npos);
   const Finished exported = cli({"export", file_, "-o", folder_ / "out", "--accept-deviations"});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
+#include <fstream>
 
 #include "app/jobs/inline_job_runner.h"
 #include "small_case.h"
@@ -145,6 +146,29 @@ TEST_F(DocumentTest, ACopyWithTheCtIsWrittenWithTheHistoryAndTheCaseStaysWhereIt
   document->saveCopyWithCt(where);
   ASSERT_EQ(refusals.size(), 1);
   EXPECT_TRUE(refusals.front().contains("is the file this case is kept in"));
+}
+
+TEST_F(DocumentTest, ACopyWithTheCtVouchesForTheImagesTheCaseWasMadeFromAndNotForWhatLiesThereNow_H2) {
+  const std::filesystem::path image = folder.filePath("ct.nii.gz").toStdString();
+  std::ofstream(image) << "the images";
+  Case content = smallCase();
+  content.ctSource = image.string();
+  const std::filesystem::path sent = folder.filePath("sent.glisson").toStdString();
+  { const CaseFile written = CaseFile::create(sent, content, {}, {.embed = true}); }
+  std::ofstream(image) << "another patient";
+  auto file = std::make_shared<CaseFile>(CaseFile::open(sent));
+  const std::vector<CtFileHash> known = file->ctFiles();
+  Case read = file->load();
+  read.ct = file->embeddedCt();
+  document->open(std::move(read), std::move(file));
+  bool done = false;
+  QObject::connect(document.get(), &Document::copySaved, [&] { done = true; });
+  document->saveCopyWithCt(named());
+  ASSERT_TRUE(waitFor([&] { return done; }));
+  const CaseFile copy = CaseFile::open(named());
+  EXPECT_TRUE(copy.hasEmbeddedCt());
+  EXPECT_EQ(copy.ctFiles(), known);
+  EXPECT_FALSE(copy.ctUnchanged());
 }
 
 TEST_F(DocumentTest, ACaseThatCameWithItsCtKeepsItUnderAnotherName) {

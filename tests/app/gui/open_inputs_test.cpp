@@ -60,7 +60,9 @@ TEST_F(OpenInputsTest, AnEmbeddedCtIsShownWhereTheOneTheCaseNamesIsMissingOrAnot
   const auto file = folder_ / "sent.glisson";
   const OpenedCase made = open({ct, folder_ / "segmentation.seg.nrrd"});
   { const CaseFile written = CaseFile::create(file, made.content, {}, {.embed = true}); }
-  EXPECT_EQ(open({file}).content.ct, nullptr) << "the images are where the case says";
+  const OpenedCase there = open({file});
+  ASSERT_TRUE(there.content.ct);
+  EXPECT_EQ(there.content.ct->source, ct.string()) << "the images are where the case says";
   std::filesystem::remove(ct);
   const OpenedCase missing = open({file});
   ASSERT_TRUE(missing.content.ct);
@@ -72,6 +74,19 @@ TEST_F(OpenInputsTest, AnEmbeddedCtIsShownWhereTheOneTheCaseNamesIsMissingOrAnot
   ASSERT_TRUE(other.content.ct) << "H2";
   EXPECT_EQ(other.content.ct->hounsfield, made.content.ct->hounsfield);
   EXPECT_EQ(other.content.ctSource, ct.string()) << "what it was made from is not forgotten";
+}
+
+TEST_F(OpenInputsTest, AnEmbeddedCtIsShownWhereTheOneTheCaseNamesCannotBeRead) {
+  const auto ct = folder_ / "unreadable.nii.gz";
+  std::ofstream(ct) << "no image";
+  const auto file = folder_ / "unreadable.glisson";
+  OpenedCase made = open({folder_ / "ct.nii.gz", folder_ / "segmentation.seg.nrrd"});
+  made.content.ctSource = ct.string();
+  { const CaseFile written = CaseFile::create(file, made.content, {}, {.embed = true}); }
+  const OpenedCase opened = open({file});
+  ASSERT_TRUE(opened.content.ct);
+  EXPECT_EQ(opened.content.ct->hounsfield, made.content.ct->hounsfield);
+  EXPECT_EQ(opened.content.notes.back(), "The CT at " + ct.string() + " cannot be read: the CT embedded in the case is shown.");
 }
 
 TEST_F(OpenInputsTest, ADamagedEmbeddedCtIsANoteAndTheCaseOpens) {

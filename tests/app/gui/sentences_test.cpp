@@ -78,6 +78,7 @@ constexpr auto kNeverShown = std::to_array<NeverShown>({
     {"planning/exchange/mesh_writers.cpp", "(Glisson|ply|# Glisson|<DataArray|<.xml) .*|<.xml.*", "text of a mesh file"},
     {"planning/exchange/mesh_writers.cpp", ".*<DataArray.*", "text of a mesh file"},
     {"planning/exchange/", "Glisson 7|resection surface|Not for clinical use", "text of the package's files"},
+    {"planning/resection/bend.h", ".*i along u, j along v", "text of the package's files"},
     {"reconstruction/io/import/nrrd.cpp", "(un)?signed .*|(short|long|unsigned) .*", "NRRD's names of types"},
     {"reconstruction/io/import/nrrd.cpp", "(7 )?(list|domain)|.*(data file|line skip|kinds):.*|data file|space (directions|origin)",
      "fields of a NRRD header"},

@@ -231,6 +231,14 @@ TEST_F(WindowTest, ABentPlaneIsOneStepADragAndFlatAgain) {
   EXPECT_EQ(document().undoStack().count(), steps + 1);
   EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: bend plane");
   const Bend bent = *document().plane()->bend;
+  const QString report = folder.filePath("bent.pdf");
+  window->writeReport(report);
+  QProcess reader;
+  reader.start("pdftotext", {"-layout", report, "-"});
+  ASSERT_TRUE(reader.waitForFinished());
+  const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+  EXPECT_TRUE(text.contains("v = normal x u along")) << text.toStdString();
+  EXPECT_TRUE(text.contains("u running fastest")) << text.toStdString();
   click("moveForward");
   EXPECT_EQ(document().plane()->bend, bent) << "a moved plane keeps its bend";
   click("flipPlane");

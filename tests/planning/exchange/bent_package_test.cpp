@@ -93,6 +93,11 @@ TEST(BentPackage, PlanJsonHasTheBendAndAnotherFormatVersion) {
   EXPECT_EQ((bend.at("heightsMm").get<std::array<double, 16>>()), made.heightsMm);
   EXPECT_EQ(bend.at("halfSizeMm").get<double>(), made.halfSizeMm);
   EXPECT_EQ(bend.at("u").at(1).get<double>(), made.u[1]);
+  const BentSurface surface(source.plans[0].resections[0].planes[0]);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(bend.at("v").at(static_cast<std::size_t>(axis)).get<double>(), surface.v()[axis], 1e-12);
+  }
+  EXPECT_EQ(bend.at("order"), "[4 j + i]: i along u, j along v");
   const std::filesystem::path flat = exportPackage(syntheticCase(), scratch.path / "flat", stamped()).folder;
   EXPECT_EQ(Json::parse(readWholeFile(flat / "plan.json")).at("formatVersion"), 1);
 }

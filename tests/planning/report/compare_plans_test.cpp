@@ -119,6 +119,23 @@ TEST_F(ComparePlans, DifferenceTheOtherWayRoundNamesTheSameThings) {
   EXPECT_TRUE(holds(differenceOf(b, a), "Resection 1 has 2 planes in B and 1 in A."));
 }
 
+TEST_F(ComparePlans, ABentPlaneThatLiesElsewhereWithinItsPlaneIsAnotherOne) {
+  const auto bentAt = [](const std::string& name, double y) {
+    ResectionPlan plan = at(name, 30);
+    ResectionPlane& plane = plan.resections[0].planes[0];
+    plane.origin.y() += y;
+    plane.bend = Bend{Vec3::UnitY(), 60, {0, 0, 0, 0, 0, 8, 8, 0, 0, 8, 8, 0, 0, 0, 0, 0}};
+    return plan;
+  };
+  const AssessedPlan a = assessed(bentAt("A", 0));
+  EXPECT_TRUE(holds(differenceOf(a, assessed(bentAt("B", 12))),
+                    "Plane 1 of Resection 1 is turned by 0.0 degrees and lies 12.0 mm from where it was placed in A."));
+  EXPECT_EQ(differenceOf(a, assessed(bentAt("B", 0))), (std::vector<std::string>{"A and B are alike."}));
+  ResectionPlan flat = at("B", 30);
+  flat.resections[0].planes[0].origin.y() += 12;
+  EXPECT_FALSE(holds(differenceOf(assessed(at("A", 30)), assessed(flat)), "Plane 1")) << "a flat plane is the same one";
+}
+
 TEST_F(ComparePlans, EqualPlansAreAlikeAndOneWithoutVolumesHasNone) {
   EXPECT_EQ(differenceOf(assessed(at("A", 30)), assessed(at("B", 30))), (std::vector<std::string>{"A and B are alike."}));
   EXPECT_TRUE(holds(differenceOf(assessed(at("A", 30)), assessed(at("Beside", 300))), "none in Beside."));

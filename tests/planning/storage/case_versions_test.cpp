@@ -122,6 +122,34 @@ TEST(CaseAcceptance, OneThatIsNoneIsRefusedWhereverItComesFrom) {
   EXPECT_THROW(CaseFile::open(file).load(), InputError);
 }
 
+TEST(CaseChanges, AreStoredTogetherOrNotAtAll) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  const Case source = acceptedCase({"A", "2026-01-31T09:05:00Z"});
+  { CaseFile::create(file, source); }
+  const std::vector<ResectionPlan> plans{planAt(9)};
+  const TerritoryMarks marks{{{"arm", {Vec3(1, 2, 3)}}}, false};
+  auto wrong = std::make_shared<LiverModel>(*source.model);
+  wrong->structures.front().acceptance->at = "yesterday";
+  EXPECT_THROW(CaseFile::open(file).store({.plans = &plans, .patient = &kFacts, .territories = &marks, .model = wrong.get()}),
+               PlanningError);
+  const Case kept = CaseFile::open(file).load();
+  EXPECT_EQ(kept.plans, source.plans);
+  EXPECT_EQ(kept.patient, PatientFacts());
+  EXPECT_EQ(kept.territories, TerritoryMarks());
+  EXPECT_TRUE(CaseFile::open(file).history().empty());
+  const std::shared_ptr<const LiverModel> model = withAcceptance(*source.model, {"parenchyma"}, std::nullopt);
+  CaseFile::open(file).store(
+      {.plans = &plans, .planEdit = "place plane", .patient = &kFacts, .territories = &marks, .model = model.get()});
+  const Case stored = CaseFile::open(file).load();
+  EXPECT_EQ(stored.plans, plans);
+  EXPECT_EQ(stored.patient, kFacts);
+  EXPECT_EQ(stored.territories, marks);
+  EXPECT_FALSE(stored.model->find("parenchyma")->acceptance);
+  ASSERT_EQ(CaseFile::open(file).history().size(), 2U);
+  EXPECT_EQ(CaseFile::open(file).history()[0].name, "place plane");
+}
+
 TEST(CasePatient, ComesBackAsItWasStoredAndEmptiedAgain) {
   const Scratch scratch;
   const fs::path file = scratch.path / "a.glisson";

@@ -10,6 +10,8 @@
 
 #include "planning/storage/case_file.h"
 #include "planning/storage/packing.h"
+#include "planning/storage/sha256.h"
+#include "planning/storage/table_access.h"
 #include "reconstruction/errors.h"
 #include "tests/planning/exchange/scratch.h"
 #include "tests/planning/voxel_bodies.h"
@@ -118,6 +120,27 @@ TEST(EmbeddedCt, GoesOverIntoTheNextFileWithWhatTheOldOneKnowsOfTheCt) {
   EXPECT_FALSE(CaseFile::create(scratch.path / "c.glisson", read, {}, {.earlier = &second}).ctUnchanged()) << "H2";
 }
 
+TEST(EmbeddedCt, ACopyOfACaseWhoseImagesWereOverwrittenOrAreMissingVouchesForNoOtherImages_H2) {
+  const Scratch scratch;
+  const fs::path image = scratch.path / "ct.nii.gz";
+  std::ofstream(image) << "the images";
+  Case source = caseWithCt();
+  source.ctSource = image.string();
+  const CaseFile first = CaseFile::create(scratch.path / "a.glisson", source, {}, {.embed = true});
+  std::ofstream(image) << "another patient";
+  const CaseFile copy = CaseFile::create(scratch.path / "b.glisson", source, {}, {.embed = true, .known = first.ctFiles()});
+  EXPECT_EQ(copy.ctFiles(), first.ctFiles());
+  EXPECT_FALSE(copy.ctUnchanged());
+  const CaseFile kept = CaseFile::create(scratch.path / "c.glisson", source, {}, {.embed = true, .earlier = &first});
+  EXPECT_FALSE(kept.ctUnchanged());
+  fs::remove(image);
+  const CaseFile unknown = CaseFile::create(scratch.path / "d.glisson", source, {}, {.embed = true});
+  std::ofstream(image) << "another patient";
+  const CaseFile later = CaseFile::create(scratch.path / "e.glisson", source, {}, {.earlier = &unknown});
+  EXPECT_TRUE(later.ctFiles().empty());
+  EXPECT_FALSE(later.ctUnchanged());
+}
+
 TEST(EmbeddedCt, DamageIsToldWithTheFilesNameAndTheCaseStillOpens) {
   const Scratch scratch;
   const fs::path whole = scratch.path / "whole.glisson";
@@ -154,6 +177,24 @@ TEST(EmbeddedCt, OfAnotherGridOrAnImpossibleSizeIsRefusedBeforeMemoryIsTaken) {
   source.ct = endless;
   EXPECT_THROW(CaseFile::create(scratch.path / "b.glisson", source, {}, {.embed = true}), InputError);
   EXPECT_EQ(scratch.entries(), 1U) << "nothing is left of it";
+}
+
+TEST(EmbeddedCt, OfLargerPartsThanTheProgramMakesIsRefused) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "a.glisson";
+  const Case source = caseWithCt();
+  { CaseFile::create(file, source, {}, {.embed = true}); }
+  {
+    const std::span<const std::int16_t> voxels(source.ct->hounsfield);
+    const Database database(file, Database::Mode::ReadWrite);
+    auto json = nlohmann::ordered_json::parse(caseTables::documentText(database, "ct"));
+    EXPECT_EQ(json["slicesPerPart"], 8);
+    json["slicesPerPart"] = 20;
+    json["sha256"] = std::vector<std::string>{sha256Hex(std::as_bytes(voxels))};
+    caseTables::putDocument(database, "ct", caseTables::textOf(json));
+    caseTables::putPart(database, "ct/0", packVoxels(voxels));
+  }
+  EXPECT_NE(refusalOf(file).find("its size is impossible"), std::string::npos) << refusalOf(file);
 }
 
 TEST(EmbeddedCt, BringsNothingAboutThePatientThatTheCaseDoesNotHold_H8) {

@@ -68,6 +68,12 @@ TEST(MarkedBranches, WhatIsNoMarkIsRefused) {
   EXPECT_THROW(validate(TerritoryMarks{{{"a", {}}}, false}), PlanningError);
   EXPECT_THROW(validate(TerritoryMarks{{{"a", {Vec3(0, std::numeric_limits<double>::infinity(), 0)}}}, false}), PlanningError);
   EXPECT_NO_THROW(validate(TerritoryMarks()));
+  const std::vector<Vec3> many(100, Vec3(1, 2, 3));
+  TerritoryMarks most{std::vector<TerritoryMark>(100, {"a", many}), false};
+  EXPECT_NO_THROW(validate(most));
+  most.marks.push_back({"b", {Vec3(0, 0, 0)}});
+  EXPECT_THROW(validate(most), PlanningError) << "a foreign file must not hang the window";
+  EXPECT_THROW(validate(TerritoryMarks{{{"a", std::vector<Vec3>(101, Vec3(1, 2, 3))}}, false}), PlanningError);
 }
 
 }  // namespace
