@@ -4206,6 +4206,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>Biegen</translation>
     </message>
     <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
         <source>one point</source>
         <translation>ein Punkt</translation>
     </message>

@@ -197,7 +197,7 @@ void ModelView::Impl::prepareFrame(FrameQuality quality) {
   planeActors.setVisible(plane.has_value() && handlesShown);
   if (plane) {
     updateSection(quality == FrameQuality::Moving);
-    planeActors.placeHandles(*plane, layout(), drag ? std::optional(drag->handle()) : hovered, !canBend());
+    planeActors.placeHandles(*plane, layout(), drag ? std::optional(drag->handle()) : hovered, handlesShown && !canBend());
     planeActors.placeControlPoints(canBend() ? &*plane : nullptr, highlightedPoints(), layout().mmPerPixel);
   } else {
     planeActors.placeControlPoints(nullptr, {}, 1);

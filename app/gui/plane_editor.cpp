@@ -53,6 +53,7 @@ PlaneEditor::PlaneEditor(QWidget* parent)
       moveStep_(makeField(this, "moveStep", 50, 1, 1)),
       tiltStep_(makeField(this, "tiltStep", 45, 1, 1)),
       bend_(new QPushButton(this)),
+      bendLabel_(new QLabel(this)),
       bendMoves_(new QComboBox(this)),
       flat_(new QPushButton(this)) {
   setObjectName("planeEditor");
@@ -139,9 +140,10 @@ void PlaneEditor::build() {
   grid->addLayout(last, 5, 0, 1, 4);
   auto* bending = new QHBoxLayout;
   bending->addWidget(bend_);
-  bending->addWidget(bendMoves_, 1);
   bending->addWidget(flat_);
   grid->addLayout(bending, 6, 0, 1, 4);
+  grid->addWidget(bendLabel_, 7, 0);
+  grid->addWidget(bendMoves_, 7, 1, 1, 3);
 }
 
 void PlaneEditor::tellBending() { emit bendingChanged(bend_->isChecked(), bendMoves_->currentIndex() == 1); }
@@ -152,6 +154,7 @@ void PlaneEditor::retranslateUi() {
   flip_->setText(tr("Swap sides"));
   remove_->setText(tr("Remove plane"));
   bend_->setText(tr("Bend"));
+  bendLabel_->setText(tr("Drag"));
   bendMoves_->setItemText(0, tr("one point"));
   bendMoves_->setItemText(1, tr("its group"));
   flat_->setText(tr("Flat"));

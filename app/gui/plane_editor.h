@@ -71,6 +71,7 @@ class PlaneEditor : public Translated<QGroupBox> {
   std::array<QToolButton*, 2> move_{};
   std::array<QToolButton*, 4> tilt_{};
   QPushButton* bend_;
+  QLabel* bendLabel_;
   QComboBox* bendMoves_;
   QPushButton* flat_;
 };

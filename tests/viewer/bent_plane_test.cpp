@@ -158,6 +158,25 @@ TEST_F(BentViewTest, ADraggedControlPointMovesAlongTheNormalInOneStep) {
   EXPECT_EQ(view.plane()->origin, plane.origin);
 }
 
+TEST_F(BentViewTest, ControlPointsAreSeenWhileBendingAndTheSurfaceFollowsThem) {
+  const auto isControl = [](const QColor& c) { return c.blue() > 150 && c.green() > 130 && c.red() < 110; };
+  const auto count = [&](const QImage& image) {
+    int pixels = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        pixels += isControl(image.pixelColor(x, y)) ? 1 : 0;
+      }
+    }
+    return pixels;
+  };
+  view.setModel(liverOf(0.4));
+  view.setPlane(steep());
+  view.setPose({Vec3(330, -260, 160), Vec3::Zero(), Vec3::UnitZ()});
+  EXPECT_EQ(count(shown("bent_without_points")), 0);
+  view.setBending(true, false);
+  EXPECT_GT(count(shown("bent_with_points")), 16 * 20);
+}
+
 TEST_F(BentViewTest, WithShiftOrByChoiceTheGroupMovesAndEscapeTakesItBack) {
   const HalfSpace plane{Vec3::Zero(), Vec3::UnitX()};
   const ResectionPlane start(plane, flatBend(plane, 45));

@@ -801,6 +801,8 @@ TEST_F(WindowTest, ThePlanPanelCutsNoTextOff) {
   window->workspaces().setCurrent(Workspace::Plan);
   QTest::qWait(50);
   ASSERT_TRUE(find<QWidget>("planPanel")->isVisible());
+  const auto* inside = find<QWidget>("planeEditor")->parentWidget();
+  EXPECT_LE(inside->minimumSizeHint().width(), inside->width()) << "nothing is wider than the panel";
   for (const QLabel* label : find<QWidget>("planPanel")->findChildren<QLabel*>()) {
     if (label->isVisible() && label->wordWrap() && !label->text().isEmpty()) {
       EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
