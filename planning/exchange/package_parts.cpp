@@ -1,5 +1,6 @@
 #include "planning/exchange/package_parts.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
