@@ -252,11 +252,15 @@ SurfaceMesh filled(const std::vector<Loop>& loops, const BentSurface& surface, d
     return {};
   }
   constexpr double kClear = 0.4;
-  for (double v = box.min().y() + 0.5 * stepMm; v < box.max().y(); v += stepMm) {
+  const auto rows = static_cast<int>(std::ceil(box.sizes().y() / stepMm - 0.5));
+  for (int row = 0; row < rows; ++row) {
+    const double v = box.min().y() + (row + 0.5) * stepMm;
     const std::vector<double> at = crossings(flat, v, false);
     for (std::size_t c = 0; c + 1 < at.size(); c += 2) {
-      for (double u = std::ceil(at[c] / stepMm) * stepMm; u < at[c + 1]; u += stepMm) {
-        const Point2 p(u, v);
+      const auto first = static_cast<int>(std::ceil(at[c] / stepMm));
+      const auto last = static_cast<int>(std::floor(at[c + 1] / stepMm));
+      for (int column = first; column <= last; ++column) {
+        const Point2 p(column * stepMm, v);
         const bool clear = std::ranges::all_of(border, [&](const BorderEdge& edge) {
           return std::abs(points[edge[0]].y() - v) > 3 * stepMm ||
                  distanceToSegment(p, points[edge[0]], points[edge[1]]) > kClear * stepMm;

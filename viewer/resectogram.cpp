@@ -66,7 +66,8 @@ QPainterPath insideOf(const ResectionPlane& bound, const ResectionPlane& plane, 
   const double width = grid.stepMm * (grid.columns - 1);
   const double height = grid.stepMm * (grid.rows - 1);
   QPainterPath path;
-  for (double y = 0; y < height; y += kSquareMm) {
+  for (int row = 0; row * kSquareMm < height; ++row) {
+    const double y = row * kSquareMm;
     double from = -1;
     const auto end = [&](double x) {
       if (from >= 0) {
@@ -74,7 +75,8 @@ QPainterPath insideOf(const ResectionPlane& bound, const ResectionPlane& plane, 
       }
       from = -1;
     };
-    for (double x = 0; x < width; x += kSquareMm) {
+    for (int column = 0; column * kSquareMm < width; ++column) {
+      const double x = column * kSquareMm;
       const Vec3 middle = grid.origin + (x + 0.5 * kSquareMm) * grid.u + (y + 0.5 * kSquareMm) * grid.v;
       if (within.above(surface.foot(middle)) < 0) {
         end(x);

@@ -46,24 +46,25 @@ Look lookOf(ModelFamily family) {
   return {Mark::Triangle, "simplified", "simplified PSR (third family)"};
 }
 
-/// Texts beside marks, each in the first place where it covers no other one.
+/// Texts beside marks, each in the first place where it covers neither another text nor a mark, or at least no text.
 class Labels {
  public:
   Labels(double right, double bottom) : right_(right), bottom_(bottom) {}
 
+  void avoid(const Pixel& mark) { marks_.push_back({mark.x - 6, mark.y - 6, mark.x + 6, mark.y + 6}); }
+
   std::string place(const Pixel& mark, const std::string& text) {
-    constexpr double kLetter = 6.6;
-    constexpr double kHeight = 15;
-    const double width = kLetter * static_cast<double>(text.size());
-    for (const double lift : {-14.0, 22.0, -32.0, 40.0, -50.0, 58.0, -68.0}) {
-      for (const bool toTheRight : {true, false}) {
-        const double x = toTheRight ? mark.x + 12 : mark.x - 12 - width;
-        const Box box{x, mark.y + lift - kHeight + 3, x + width, mark.y + lift + 3};
-        const bool inside = box.left >= kLeft && box.right <= right_ && box.top >= kTop && box.bottom <= bottom_;
-        if (inside && std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.meets(other); })) {
-          taken_.push_back(box);
-          return svgLine(mark, {toTheRight ? x - 2 : box.right + 2, mark.y + lift - 4}, "leader") +
-                 svgText({x, mark.y + lift}, text, "start", "label");
+    for (const bool clearOfMarks : {true, false}) {
+      for (const double lift : {-14.0, 22.0, -34.0, 42.0, -54.0, 62.0, -74.0, 82.0, -94.0}) {
+        for (const bool toTheRight : {true, false}) {
+          const double width = 6.9 * static_cast<double>(text.size());
+          const double x = toTheRight ? mark.x + 14 : mark.x - 14 - width;
+          const Box box{x, mark.y + lift - 12, x + width, mark.y + lift + 4};
+          if (isFree(box, clearOfMarks)) {
+            texts_.push_back(box);
+            return svgLine(mark, {toTheRight ? x - 2 : box.right + 2, mark.y + lift - 4}, "leader") +
+                   svgText({x, mark.y + lift}, text, "start", "label");
+          }
         }
       }
     }
@@ -77,9 +78,17 @@ class Labels {
       return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
     }
   };
+  [[nodiscard]] bool isFree(const Box& box, bool clearOfMarks) const {
+    const auto meets = [&](const Box& other) { return box.meets(other); };
+    return box.left >= kLeft && box.right <= right_ && box.top >= kTop && box.bottom <= bottom_ &&
+           std::none_of(texts_.begin(), texts_.end(), meets) &&
+           (!clearOfMarks || std::none_of(marks_.begin(), marks_.end(), meets));
+  }
+
   double right_;
   double bottom_;
-  std::vector<Box> taken_;
+  std::vector<Box> texts_;
+  std::vector<Box> marks_;
 };
 
 struct Plot {
@@ -126,7 +135,7 @@ std::string legend(const Evaluation& evaluation) {
     if (std::any_of(evaluation.models.begin(), evaluation.models.end(), belongs)) {
       const Look look = lookOf(family);
       content += svgMark(look.mark, {x, y}, 5, look.style, "") + svgText({x + 11, y + 4}, look.name, "start", "tick");
-      x += 30 + 6.4 * static_cast<double>(std::string_view(look.name).size());
+      x += 36 + 6.4 * static_cast<double>(std::string_view(look.name).size());
     }
   }
   for (const auto& [style, name] :
@@ -176,6 +185,11 @@ std::string accuracyPlot(const Evaluation& evaluation) {
     }
   }
   Labels labels(kRight, kBottom);
+  for (std::size_t n = 0; n < evaluation.models.size(); ++n) {
+    if (evaluation.scores[n]) {
+      labels.avoid(plot.at(n));
+    }
+  }
   for (const auto& [role, place] : {std::pair("best PSR", evaluation.bestPsr),
                                     {"best MCSD", evaluation.bestMcsd},
                                     {"most similar", evaluation.mostSimilar},

@@ -86,7 +86,7 @@ void MainWindow::build() {
   left_->setMinimumWidth(200);
   splitter_->setStretchFactor(1, 1);
   splitter_->setChildrenCollapsible(false);
-  splitter_->setSizes({220, 800, 300});
+  splitter_->setSizes({250, 770, 300});
   jobBar_ = new JobBar(jobs_, centre);
 
   auto* column = new QVBoxLayout(centre);

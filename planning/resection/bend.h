@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "reconstruction/mesh/cut.h"
 
@@ -30,7 +31,8 @@ inline constexpr double kMostBendMm = 1000;  ///< of half size and heights
 /// A plane of a resection; one without a bend is flat, and a HalfSpace is one.
 struct ResectionPlane : HalfSpace {
   ResectionPlane() = default;
-  ResectionPlane(const HalfSpace& plane, std::optional<Bend> bent = {}) : HalfSpace(plane), bend(bent) {}  // a flat plane is one
+  ResectionPlane(const HalfSpace& plane, std::optional<Bend> bent = {})
+      : HalfSpace(plane), bend(std::move(bent)) {}  // a flat plane is one
   ResectionPlane(const Vec3& at, const Vec3& towards) : HalfSpace{at, towards} {}
 
   std::optional<Bend> bend;

@@ -145,7 +145,8 @@ struct Namer {
   [[nodiscard]] bool hasOnePlane() const { return plan.resections.size() == 1 && plan.resections[0].planes.size() == 1; }
 
   /// As much as is needed to tell one plane from the others.
-  [[nodiscard]] std::string fitting(std::string only, std::string ofOneResection, std::string ofSeveral) const {
+  [[nodiscard]] std::string fitting(const std::string& only, const std::string& ofOneResection,
+                                    const std::string& ofSeveral) const {
     if (plan.resections.size() != 1) {
       return ofSeveral;
     }

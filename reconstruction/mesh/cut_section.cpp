@@ -119,7 +119,9 @@ std::vector<Vec2> innerPoints(const std::vector<Vec2>& points, const std::vector
     high = high.cwiseMax(p);
   }
   std::vector<Vec2> inner;
-  for (double y = low.y() + 0.5 * step; y < high.y(); y += step) {
+  const auto rows = static_cast<int>(std::ceil((high.y() - low.y()) / step - 0.5));
+  for (int row = 0; row < rows; ++row) {
+    const double y = low.y() + (row + 0.5) * step;
     std::vector<double> crossings;
     std::vector<BorderEdge> near;
     for (const BorderEdge& edge : border) {
@@ -134,9 +136,10 @@ std::vector<Vec2> innerPoints(const std::vector<Vec2>& points, const std::vector
     }
     std::sort(crossings.begin(), crossings.end());
     for (std::size_t n = 0; n + 1 < crossings.size(); n += 2) {
-      const double first = low.x() + step * std::ceil((crossings[n] - low.x()) / step);
-      for (double x = first; x < crossings[n + 1]; x += step) {
-        const Vec2 p(x, y);
+      const auto first = static_cast<int>(std::ceil((crossings[n] - low.x()) / step));
+      const auto last = static_cast<int>(std::floor((crossings[n + 1] - low.x()) / step));
+      for (int column = first; column <= last; ++column) {
+        const Vec2 p(low.x() + column * step, y);
         if (std::all_of(near.begin(), near.end(),
                         [&](const BorderEdge& e) { return distanceToSegment(p, points[e[0]], points[e[1]]) > kClear * step; })) {
           inner.push_back(p);

@@ -33,7 +33,8 @@ double squaredToTriangle(const Vec3& point, const Vec3& a, const Vec3& b, const 
   const Vec3 ap = point - a;
   const Vec3 normal = ab.cross(ac);
   const double area = normal.squaredNorm();
-  if (area > 0) {
+  constexpr double kNeedle = 1e-12;  // sine of its angle squared: rounding would tell the wrong side of an edge
+  if (area > kNeedle * ab.squaredNorm() * ac.squaredNorm()) {
     // Barycentric coordinates of the foot of the perpendicular; inside the triangle the height is the distance.
     const double v = ap.cross(ac).dot(normal);
     const double w = ab.cross(ap).dot(normal);
@@ -41,6 +42,18 @@ double squaredToTriangle(const Vec3& point, const Vec3& a, const Vec3& b, const 
       const double height = ap.dot(normal);
       return height * height / area;
     }
+    // The nearest point lies on an edge that has the foot on its outer side.
+    double squared = std::numeric_limits<double>::infinity();
+    if (v < 0) {
+      squared = squaredToSegment(point, c, a);
+    }
+    if (w < 0) {
+      squared = std::min(squared, squaredToSegment(point, a, b));
+    }
+    if (v + w > area) {
+      squared = std::min(squared, squaredToSegment(point, b, c));
+    }
+    return squared;
   }
   return std::min({squaredToSegment(point, a, b), squaredToSegment(point, b, c), squaredToSegment(point, c, a)});
 }
