@@ -54,7 +54,7 @@ std::filesystem::path withoutSlash(const std::string& text) {
 
 /// Said before the work is done: DIR may be missing, the folder it is to stand in may not.
 std::filesystem::path outputFolder(const Flags& flags) {
-  const std::filesystem::path folder = withoutSlash(flags.output);
+  std::filesystem::path folder = withoutSlash(flags.output);
   std::error_code error;
   if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error)) {
     throw UsageError(flags.output + " is a file; name a folder");

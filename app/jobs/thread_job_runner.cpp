@@ -2,8 +2,6 @@
 
 #include <sys/resource.h>
 
-#include <QTimer>
-
 namespace glisson {
 
 namespace {
@@ -14,7 +12,10 @@ constexpr int kReapMs = 1000;
 
 }  // namespace
 
-ThreadJobRunner::ThreadJobRunner(int heavyLimit, QObject* parent) : JobRunner(heavyLimit, parent) {}
+ThreadJobRunner::ThreadJobRunner(int heavyLimit, QObject* parent) : JobRunner(heavyLimit, parent) {
+  turn_.setSingleShot(true);
+  connect(&turn_, &QTimer::timeout, this, &ThreadJobRunner::takeNext);
+}
 
 ThreadJobRunner::~ThreadJobRunner() {
   blockSignals(true);  // who listens may be half destroyed already
@@ -24,18 +25,13 @@ ThreadJobRunner::~ThreadJobRunner() {
   }
 }
 
-void ThreadJobRunner::takeSoon() {
-  if (taking_ || ended_.empty()) {
-    return;
+void ThreadJobRunner::takeNext() {
+  const JobId id = ended_.front();
+  ended_.pop_front();
+  if (!ended_.empty()) {
+    turn_.start();  // before the result is used: that may run an event loop of its own
   }
-  taking_ = true;
-  QTimer::singleShot(0, this, [this] {
-    const JobId id = ended_.front();
-    ended_.pop_front();
-    taking_ = false;
-    takeSoon();  // before the result is used: that may run an event loop of its own
-    workEnded(id);
-  });
+  workEnded(id);
 }
 
 void ThreadJobRunner::launch(JobId id, std::function<void()> work) {
@@ -50,7 +46,7 @@ void ThreadJobRunner::launch(JobId id, std::function<void()> work) {
         // its work is over, but the thread itself may still wait for a processor to end on: nobody waits for it here
         QTimer::singleShot(kReapMs, this, [this, id] { threads_.erase(id); });
         ended_.push_back(id);
-        takeSoon();
+        turn_.start();
       },
       Qt::QueuedConnection);
   QThread* started = thread.get();

@@ -2,6 +2,7 @@
 // Purpose: jobs on QThreads, one per running job. The destructor cancels what runs and waits for its threads.
 
 #include <QThread>
+#include <QTimer>
 #include <map>
 
 #include "app/jobs/job_runner.h"
@@ -19,10 +20,10 @@ class ThreadJobRunner : public JobRunner {
 
  private:
   /// One result in each turn of the event loop: several at once would keep the window from answering.
-  void takeSoon();
+  void takeNext();
 
   std::deque<JobId> ended_;
-  bool taking_ = false;
+  QTimer turn_;
   std::map<JobId, std::unique_ptr<QThread>> threads_;
 };
 

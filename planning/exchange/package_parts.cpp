@@ -147,6 +147,7 @@ class OnPlane {
 void addFacesOnPlanes(const SurfaceMesh& resected, const std::vector<ResectionPlane>& planes, SurfaceMesh& surface) {
   const double onPlaneMm = kOnPlaneSpacings * floatSpacingMm(resected);
   std::vector<OnPlane> surfaces;
+  surfaces.reserve(planes.size());
   for (const ResectionPlane& plane : planes) {
     surfaces.emplace_back(plane, onPlaneMm);
   }
