@@ -141,8 +141,8 @@ TEST(BendNumbers, SaddleThroughABallIsTheIntegralByFineSlices) {
       }
       int above = 0;
       for (int p = 0; p < kParts * kParts * kParts; ++p) {
-        const Vec3 share =
-            Vec3(p % kParts, p / kParts % kParts, p / kParts / kParts) * (2.0 / kParts) - Vec3::Constant(1 - 1.0 / kParts);
+        const int layer = p / kParts / kParts;
+        const Vec3 share = Vec3(p % kParts, p / kParts % kParts, layer) * (2.0 / kParts) - Vec3::Constant(1 - 1.0 / kParts);
         above += surface.above(box.centre + box.half.cwiseProduct(share)) > 0 ? 1 : 0;
       }
       fine += static_cast<double>(above) / (kParts * kParts * kParts);

@@ -57,7 +57,8 @@ TEST(SharpEdges, AreThoseOfVtk) {
   geometry.spacing = Vec3(0.57, 0.71, 1.6);
   std::vector<std::uint8_t> values;
   for (int n = 0; n < 14 * 13 * 12; ++n) {
-    const Vec3 at = Vec3(n % 14, n / 14 % 13, n / 182) - Vec3(6.4, 6.1, 5.3);
+    const int slice = n / (14 * 13);
+    const Vec3 at = Vec3(n % 14, n / 14 % 13, slice) - Vec3(6.4, 6.1, 5.3);
     values.push_back(at.norm() < 4.6 || (std::abs(at[0]) < 2 && std::abs(at[1]) < 5.5) ? 1 : 0);
   }
   for (const double decimation : {0.0, 0.5}) {
