@@ -15,6 +15,9 @@ constexpr int kReapMs = 1000;
 ThreadJobRunner::ThreadJobRunner(int heavyLimit, QObject* parent) : JobRunner(heavyLimit, parent) {
   turn_.setSingleShot(true);
   connect(&turn_, &QTimer::timeout, this, &ThreadJobRunner::takeNext);
+  reap_.setSingleShot(true);
+  reap_.setInterval(kReapMs);
+  connect(&reap_, &QTimer::timeout, this, &ThreadJobRunner::reap);
 }
 
 ThreadJobRunner::~ThreadJobRunner() {
@@ -34,6 +37,13 @@ void ThreadJobRunner::takeNext() {
   workEnded(id);
 }
 
+void ThreadJobRunner::reap() {
+  for (const JobId id : over_) {
+    threads_.erase(id);
+  }
+  over_.clear();
+}
+
 void ThreadJobRunner::launch(JobId id, std::function<void()> work) {
   std::unique_ptr<QThread> thread(QThread::create([run = std::move(work)] {
     // on Linux a thread has a niceness of its own, and the threads it starts inherit it: the window keeps answering
@@ -43,8 +53,8 @@ void ThreadJobRunner::launch(JobId id, std::function<void()> work) {
   connect(
       thread.get(), &QThread::finished, this,
       [this, id] {
-        // its work is over, but the thread itself may still wait for a processor to end on: nobody waits for it here
-        QTimer::singleShot(kReapMs, this, [this, id] { threads_.erase(id); });
+        over_.push_back(id);
+        reap_.start();
         ended_.push_back(id);
         turn_.start();
       },

@@ -4,6 +4,7 @@
 #include <QThread>
 #include <QTimer>
 #include <map>
+#include <vector>
 
 #include "app/jobs/job_runner.h"
 
@@ -22,8 +23,13 @@ class ThreadJobRunner : public JobRunner {
   /// One result in each turn of the event loop: several at once would keep the window from answering.
   void takeNext();
 
-  std::deque<JobId> ended_;
+  /// Work that is over leaves a thread that may still wait for a processor to end on: nobody waits for it before it has rested.
+  void reap();
+
+  std::deque<JobId> ended_;  ///< results to take
   QTimer turn_;
+  std::vector<JobId> over_;
+  QTimer reap_;
   std::map<JobId, std::unique_ptr<QThread>> threads_;
 };
 
