@@ -135,7 +135,7 @@ std::string legend(const Evaluation& evaluation) {
     if (std::any_of(evaluation.models.begin(), evaluation.models.end(), belongs)) {
       const Look look = lookOf(family);
       content += svgMark(look.mark, {x, y}, 5, look.style, "") + svgText({x + 11, y + 4}, look.name, "start", "tick");
-      x += 36 + 6.4 * static_cast<double>(std::string_view(look.name).size());
+      x += 44 + 5.8 * static_cast<double>(std::string_view(look.name).size());
     }
   }
   for (const auto& [style, name] :

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kReportSheet = R"(
 :root { color-scheme: light; --ink: #1d2733; --faint: #5d6b7a; --line: #dfe4ea; --psr: #c2361c; --mcsd: #3f74b5; --simplified: #1d8348; }
 body { margin: 0; background: #f5f7f9; color: var(--ink); font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
-main { max-width: 980px; margin: 0 auto; padding: 28px 24px 60px; }
+main { max-width: 1120px; margin: 0 auto; padding: 28px 24px 60px; }
 h1 { font-size: 25px; margin: 0 0 2px; } h2 { font-size: 17px; margin: 0 0 4px; }
 p { margin: 4px 0 10px; max-width: 78ch; } .faint, small { color: var(--faint); }
 section { background: #fff; border: 1px solid var(--line); border-radius: 8px; padding: 18px 22px; margin-top: 18px; overflow-x: auto; }
@@ -23,8 +23,8 @@ section { background: #fff; border: 1px solid var(--line); border-radius: 8px; p
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; margin: 8px 0 4px; }
 th, td { padding: 4px 12px; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; }
 th { font-weight: 600; } th:first-child, td:first-child { text-align: left; padding-left: 0; }
-td.least { font-weight: 700; background: #fdf3e1; } td.text { text-align: left; white-space: normal; min-width: 12em; }
-table.all { font-size: 13px; } table.all td, table.all th { padding: 2px 9px; }
+td.least { font-weight: 700; background: #fdf3e1; } td.text { text-align: left; white-space: normal; min-width: 17em; }
+table.all { font-size: 13px; width: 100%; } table.all th:last-child { text-align: left; } table.all td, table.all th { padding: 2px 7px; }
 summary { cursor: pointer; font-weight: 600; }
 svg { width: 100%; height: auto; display: block; } svg text { font-size: 12px; fill: var(--ink); }
 svg .tick { fill: var(--ink); } svg .faint { fill: var(--faint); } svg .axis { fill: var(--faint); }
