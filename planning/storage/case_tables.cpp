@@ -126,6 +126,8 @@ auto readOrDamaged(const Database& database, const std::string& misfit, Read&& r
   }
 }
 
+std::string formMisfit() { return "a document has not the form of version " + std::to_string(kVersion); }
+
 PatientFacts readPatient(const Database& database) {
   return readOrDamaged(database, "its patient cannot be read", [&] {
     return versionOf(database) > 1 ? caseJson::toFacts(Json::parse(documentText(database, "patient"))) : PatientFacts();
@@ -294,7 +296,7 @@ bool writeTerritories(const Database& database, const TerritoryMarks& marks) {
 }
 
 Case readCase(const Database& database, StoredMeshes& stored) {
-  try {
+  return readOrDamaged(database, formMisfit(), [&] {
     Case read;
     const Json json = Json::parse(documentText(database, "case"));
     read.code = json.at("code");
@@ -314,18 +316,11 @@ Case readCase(const Database& database, StoredMeshes& stored) {
     read.patient = readPatient(database);
     read.territories = readTerritories(database);
     return read;
-  } catch (const Json::exception&) {
-    damaged(database, "a document has not the form of version " + std::to_string(kVersion));
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    damaged(database, error.what());
-  }
+  });
 }
 
 std::pair<ImageGeometry, PatientIdentity> readLabelGrid(const Database& database) {
-  const std::string misfit = "a document has not the form of version " + std::to_string(kVersion);
-  return readOrDamaged(database, misfit, [&]() -> std::pair<ImageGeometry, PatientIdentity> {
+  return readOrDamaged(database, formMisfit(), [&]() -> std::pair<ImageGeometry, PatientIdentity> {
     return {caseJson::toGeometry(Json::parse(documentText(database, "segmentation")).at("geometry")),
             caseJson::toIdentity(Json::parse(documentText(database, "case")).at("identity"))};
   });

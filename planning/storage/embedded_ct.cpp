@@ -119,7 +119,7 @@ std::uint64_t embeddedCtBytes(const CtVolume& ct) {
 
 namespace caseTables {
 
-bool hasEmbeddedCt(const Database& database) { return database.number("SELECT count(*) FROM document WHERE key = 'ct'") > 0; }
+bool hasEmbeddedCt(const Database& database) { return hasDocument(database, "ct"); }
 
 void writeEmbeddedCt(const Database& database, const CtVolume& ct, const ExecutionContext& context) {
   if (isTooLarge(ct.geometry)) {
