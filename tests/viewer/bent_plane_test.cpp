@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "tests/viewer/bodies.h"
+#include "tests/viewer/kept_picture.h"
 #include "viewer/bend_handles.h"
 #include "viewer/model_view.h"
 #include "viewer/slice_curve.h"
@@ -48,13 +49,7 @@ class BentViewTest : public testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
   }
 
-  QImage shown(const char* name) {
-    QImage image = view.picture();
-    if (const QByteArray folder = qgetenv("GLISSON_TEST_PICTURES"); !folder.isEmpty()) {
-      image.save(QString::fromUtf8(folder) + "/" + name + ".png");
-    }
-    return image;
-  }
+  QImage shown(const char* name) { return test::kept(view.picture(), name); }
 
   /// The liver's front at this place, as seen from anterior.
   [[nodiscard]] QColor frontAt(const QImage& image, double x, double z) const {

@@ -12,6 +12,7 @@
 
 #include "planning/resection/place_plane.h"
 #include "tests/viewer/bodies.h"
+#include "tests/viewer/kept_picture.h"
 #include "viewer/plane_handles.h"
 
 namespace glisson {
@@ -61,13 +62,7 @@ class ModelViewTest : public testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
   }
 
-  QImage shown(const char* name) {
-    QImage image = view.picture();
-    if (const QByteArray folder = qgetenv("GLISSON_TEST_PICTURES"); !folder.isEmpty()) {
-      image.save(QString::fromUtf8(folder) + "/" + name + ".png");
-    }
-    return image;
-  }
+  QImage shown(const char* name) { return test::kept(view.picture(), name); }
 
   void mouse(QEvent::Type type, const Pixel& at, Qt::MouseButton button) {
     const QPointF pixel(at.x(), at.y());

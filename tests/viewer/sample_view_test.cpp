@@ -9,6 +9,7 @@
 #include "planning/case/case.h"
 #include "planning/resection/place_plane.h"
 #include "reconstruction/sample/sample_patient.h"
+#include "tests/viewer/kept_picture.h"
 #include "viewer/model_view.h"
 #include "viewer/slice_view.h"
 
@@ -27,12 +28,6 @@ const Case& sampleCase() {
 const Structure& structureOf(StructureKind kind) {
   const auto& structures = sampleCase().model->structures;
   return *std::find_if(structures.begin(), structures.end(), [&](const Structure& s) { return s.kind == kind; });
-}
-
-void keep(const QImage& image, const char* name) {
-  if (const QByteArray folder = qgetenv("GLISSON_TEST_PICTURES"); !folder.isEmpty()) {
-    image.save(QString::fromUtf8(folder) + "/" + name + ".png");
-  }
 }
 
 /// Time of all threads of this process: what other programs do meanwhile does not count.
@@ -61,7 +56,7 @@ class SampleViewTest : public testing::Test {
 TEST_F(SampleViewTest, FromAnteriorTheGallbladderIsBelowTheLiversCentreOnThePatientsRight) {
   const Bounds gallbladder = boundsOf(structureOf(StructureKind::Gallbladder).reconstruction->mesh);
   const QImage image = view.picture();
-  keep(image, "sample_anterior");
+  test::kept(image, "sample_anterior");
   const Pixel at = view.camera().toPixel(0.5 * (gallbladder.low + gallbladder.high));
   const Pixel middle = view.camera().toPixel(0.5 * (boundsOf(structureOf(StructureKind::Liver).reconstruction->mesh).low +
                                                     boundsOf(structureOf(StructureKind::Liver).reconstruction->mesh).high));
@@ -72,13 +67,13 @@ TEST_F(SampleViewTest, FromAnteriorTheGallbladderIsBelowTheLiversCentreOnThePati
 TEST_F(SampleViewTest, APlaneThroughTheLiverIsDrawnAndMovesWithin100MsOfProcessorTimeAFrame) {
   const HalfSpace plane = planeFromCamera(centre, view.viewDirection(), view.viewUp());
   view.setPlane(plane);
-  keep(view.picture(), "sample_plane_edge_on");
+  test::kept(view.picture(), "sample_plane_edge_on");
   view.setPlane(turned(plane, Vec3::UnitZ(), -0.7));
-  keep(view.picture(), "sample_plane_turned");
+  test::kept(view.picture(), "sample_plane_turned");
   view.setStandardView(ModelView::StandardView::Left);
-  keep(view.picture(), "sample_plane_left");
+  test::kept(view.picture(), "sample_plane_left");
   view.setStandardView(ModelView::StandardView::Superior);
-  keep(view.picture(), "sample_plane_superior");
+  test::kept(view.picture(), "sample_plane_superior");
   view.setStandardView(ModelView::StandardView::Anterior);
   std::vector<double> frames;
   for (int n = 0; n < 15; ++n) {
@@ -87,7 +82,7 @@ TEST_F(SampleViewTest, APlaneThroughTheLiverIsDrawnAndMovesWithin100MsOfProcesso
     ASSERT_FALSE(view.grabFramebuffer().isNull());
     frames.push_back(processorMs(start));
   }
-  keep(view.grabFramebuffer(), "sample_plane_moving");
+  test::kept(view.grabFramebuffer(), "sample_plane_moving");
   RecordProperty("movingFrameMs", std::to_string(median(frames)));
   EXPECT_LT(median(frames), 100.0);
 }
@@ -102,7 +97,7 @@ TEST(SampleSliceTest, SlicesShowTheLiverAndRepaintQuicklyWhileThePlaneMoves) {
     view.setModel(sampleCase().model);
     view.setCrosshair(centre);
     view.setPlane(HalfSpace{centre, Vec3(1, -0.6, 0.2).normalized()});
-    keep(view.grab().toImage(), name);
+    test::kept(view.grab().toImage(), name);
     view.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
     std::vector<double> drawn;

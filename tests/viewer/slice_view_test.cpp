@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "tests/viewer/bodies.h"
+#include "tests/viewer/kept_picture.h"
 #include "viewer/slice_outlines.h"
 #include "viewer/slice_painter.h"
 
@@ -100,13 +101,7 @@ Labelled ballIn(const ImageGeometry& grid) {
   return result;
 }
 
-QImage grabbed(SliceView& view, const QString& name) {
-  QImage image = view.grab().toImage();
-  if (const QByteArray folder = qgetenv("GLISSON_TEST_PICTURES"); !folder.isEmpty()) {
-    image.save(QString::fromUtf8(folder) + "/" + name + ".png");
-  }
-  return image;
-}
+QImage grabbed(SliceView& view, const QString& name) { return test::kept(view.grab().toImage(), name); }
 
 /// Where the slice's own bright pixels lie in the middle of the picture, away from the letters and texts, which are bright too.
 QPointF brightSpot(const QImage& image) {

@@ -19,14 +19,9 @@ namespace {
 using test::kLiverCentre;
 using test::kLiverRadiusMm;
 using test::Scratch;
+using test::stamped;
 using test::syntheticCase;
 using Json = nlohmann::json;
-
-ExportOptions stamped() {
-  ExportOptions options;
-  options.timestamp = "20260102-0304";
-  return options;
-}
 
 /// The tumour's side, the plane bowed by up to 12 mm and skewed.
 ResectionPlane bowed(const HalfSpace& plane) {

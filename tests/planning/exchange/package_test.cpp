@@ -26,14 +26,9 @@ namespace glisson {
 namespace {
 
 using test::Scratch;
+using test::stamped;
 using test::syntheticCase;
 using Json = nlohmann::json;
-
-ExportOptions stamped() {
-  ExportOptions options;
-  options.timestamp = "20260102-0304";
-  return options;
-}
 
 template <typename Refusal>
 std::string messageOf(const Case& source, const std::filesystem::path& directory, const ExportOptions& options) {

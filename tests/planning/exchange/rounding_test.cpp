@@ -107,9 +107,7 @@ TEST(Package, NoClosedPartCrossesItselfAsItsFileHoldsItFarFromTheOrigin) {
   for (const std::vector<ResectionPlane>& chosen :
        {std::vector{planes[0]}, std::vector{planes[5]}, std::vector{planes[0], {kFarCentre, -Vec3::UnitZ()}}}) {
     const Scratch scratch;
-    ExportOptions options;
-    options.timestamp = "20260102-0304";
-    const auto folder = exportPackage(farCase(chosen), scratch.path, options).folder;
+    const auto folder = exportPackage(farCase(chosen), scratch.path, test::stamped()).folder;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (entry.path().extension() == ".stl") {
         EXPECT_EQ(countSelfIntersections(readMesh(entry.path())), 0U) << entry.path().filename();
@@ -138,9 +136,7 @@ TEST(Package, APartThatRoundingMakesCrossItselfIsRefused) {
     made.mesh = std::move(mesh);
   });
   const Scratch scratch;
-  ExportOptions options;
-  options.timestamp = "20260102-0304";
-  EXPECT_THROW(exportPackage(source, scratch.path, options), CheckFailed);
+  EXPECT_THROW(exportPackage(source, scratch.path, test::stamped()), CheckFailed);
   EXPECT_EQ(scratch.entries(), 0U);
 }
 

@@ -2,6 +2,7 @@
 // Purpose: a small case with everything an export needs: a spherical liver, a tumour, a portal vein, masks and meshes, one plane.
 
 #include "planning/case/case.h"
+#include "planning/exchange/package.h"
 #include "tests/planning/exchange/bodies.h"
 
 namespace glisson::test {
@@ -79,6 +80,13 @@ inline Case syntheticCase() {
   made.model = std::move(model);
   made.plans = {{"Left \xC3\xA4/ plan", {{"Resection 1", {{kLiverCentre - Vec3(3, 0, 0), -Vec3::UnitX()}}}}, 10.0}};
   return made;
+}
+
+/// A package's folder then has a name that is known beforehand.
+inline ExportOptions stamped() {
+  ExportOptions options;
+  options.timestamp = "20260102-0304";
+  return options;
 }
 
 }  // namespace glisson::test

@@ -19,9 +19,7 @@ using test::Scratch;
 class Verify : public testing::Test {
  protected:
   void SetUp() override {
-    ExportOptions options;
-    options.timestamp = "20260102-0304";
-    folder_ = exportPackage(test::syntheticCase(), scratch_.path, options).folder;
+    folder_ = exportPackage(test::syntheticCase(), scratch_.path, test::stamped()).folder;
     ASSERT_EQ(verifyPackage(folder_), std::vector<std::string>{});
   }
   [[nodiscard]] std::string bytesOf(const std::string& file) const { return readWholeFile(folder_ / file); }
