@@ -157,8 +157,14 @@ class Document : public QObject {
   void setAppearance(const std::string& structureId, const Appearance& appearance);
   void pushAcceptance(const QString& name, const std::vector<const Structure*>& structures, const std::optional<Acceptance>& after);
   /// `of`: the surface that was looked at; a structure that has another one by now keeps what it has.
-  void setAcceptance(const std::string& structureId, const std::shared_ptr<const Reconstruction>& of,
-                     const std::optional<Acceptance>& acceptance);
+  struct AcceptanceChange {
+    std::string structureId;
+    std::shared_ptr<const Reconstruction> of;
+    std::optional<Acceptance> before;
+    std::optional<Acceptance> after;
+  };
+  /// `side`: before or after. All of them are one new model.
+  void setAcceptances(const std::vector<AcceptanceChange>& changes, std::optional<Acceptance> AcceptanceChange::*side);
   void replaceModel(std::shared_ptr<const LiverModel> model);
   void prepareAssessor();
   void assessVolumes();

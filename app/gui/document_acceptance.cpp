@@ -37,7 +37,7 @@ void Document::withdrawAcceptance(const std::string& structureId) {
 
 void Document::pushAcceptance(const QString& name, const std::vector<const Structure*>& structures,
                               const std::optional<Acceptance>& after) {
-  std::vector<AcceptanceCommand::Change> changes;
+  std::vector<AcceptanceChange> changes;
   changes.reserve(structures.size());
   for (const Structure* structure : structures) {
     changes.push_back({structure->id, structure->reconstruction, structure->acceptance, after});
@@ -45,11 +45,16 @@ void Document::pushAcceptance(const QString& name, const std::vector<const Struc
   undo_.push(new AcceptanceCommand(*this, name, std::move(changes)));
 }
 
-void Document::setAcceptance(const std::string& structureId, const std::shared_ptr<const Reconstruction>& of,
-                             const std::optional<Acceptance>& acceptance) {
-  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
-  if (structure != nullptr && structure->reconstruction == of) {
-    replaceModel(withAcceptance(*case_.model, {structureId}, acceptance));
+void Document::setAcceptances(const std::vector<AcceptanceChange>& changes, std::optional<Acceptance> AcceptanceChange::*side) {
+  std::shared_ptr<const LiverModel> model = case_.model;
+  for (const AcceptanceChange& change : changes) {
+    const Structure* structure = model ? model->find(change.structureId) : nullptr;
+    if (structure != nullptr && structure->reconstruction == change.of) {
+      model = withAcceptance(*model, {change.structureId}, change.*side);
+    }
+  }
+  if (model != case_.model) {
+    replaceModel(std::move(model));
   }
 }
 

@@ -51,19 +51,11 @@ void AppearanceCommand::undo() { document_.setAppearance(structureId_, before_);
 
 void AppearanceCommand::redo() { document_.setAppearance(structureId_, after_); }
 
-AcceptanceCommand::AcceptanceCommand(Document& document, const QString& text, std::vector<Change> changes)
+AcceptanceCommand::AcceptanceCommand(Document& document, const QString& text, std::vector<Document::AcceptanceChange> changes)
     : QUndoCommand(text), document_(document), changes_(std::move(changes)) {}
 
-void AcceptanceCommand::undo() {
-  for (const Change& change : changes_) {
-    document_.setAcceptance(change.structureId, change.of, change.before);
-  }
-}
+void AcceptanceCommand::undo() { document_.setAcceptances(changes_, &Document::AcceptanceChange::before); }
 
-void AcceptanceCommand::redo() {
-  for (const Change& change : changes_) {
-    document_.setAcceptance(change.structureId, change.of, change.after);
-  }
-}
+void AcceptanceCommand::redo() { document_.setAcceptances(changes_, &Document::AcceptanceChange::after); }
 
 }  // namespace glisson

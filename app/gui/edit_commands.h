@@ -74,19 +74,13 @@ class AppearanceCommand : public QUndoCommand {
 /// Several structures at once are one step. It holds for the surfaces that were looked at: done again, it leaves new ones alone.
 class AcceptanceCommand : public QUndoCommand {
  public:
-  struct Change {
-    std::string structureId;
-    std::shared_ptr<const Reconstruction> of;
-    std::optional<Acceptance> before;
-    std::optional<Acceptance> after;
-  };
-  AcceptanceCommand(Document& document, const QString& text, std::vector<Change> changes);
+  AcceptanceCommand(Document& document, const QString& text, std::vector<Document::AcceptanceChange> changes);
   void undo() override;
   void redo() override;
 
  private:
   Document& document_;
-  std::vector<Change> changes_;
+  std::vector<Document::AcceptanceChange> changes_;
 };
 
 }  // namespace glisson
