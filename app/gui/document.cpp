@@ -1,5 +1,7 @@
 #include "app/gui/document.h"
 
+#include <QElapsedTimer>
+
 #include "app/gui/edit_commands.h"
 #include "app/gui/sentences.h"
 #include "reconstruction/errors.h"
@@ -240,8 +242,26 @@ void Document::assessVolumes() {
   emit assessmentChanged();
 }
 
-void Document::assessAll() {
+void Document::assessInFrame() {
   if (!assessor_) {
+    return;
+  }
+  if (wholeMs_ >= frameBudgetMs_) {
+    assessVolumes();
+    return;
+  }
+  QElapsedTimer clock;
+  clock.start();
+  assessment_ = assessor_->assess(plan());
+  // one slow frame of many, while the machine does something else, counts little
+  constexpr double kWeight = 0.3;
+  wholeMs_ += kWeight * (static_cast<double>(clock.nsecsElapsed()) * 1e-6 - wholeMs_);
+  freshness_ = Freshness::All;
+  emit assessmentChanged();
+}
+
+void Document::assessAll() {
+  if (!assessor_ || freshness_ == Freshness::All) {
     return;
   }
   JobRequest request{.key = "assess", .title = tr("Margins"), .quiet = true};
@@ -249,9 +269,9 @@ void Document::assessAll() {
   submitFor<PlanAssessment>(
       jobs_, std::move(request),
       [assessor = assessor_, current = plan()](const ExecutionContext&) { return assessor->assess(current); },
-      [this, asked = assessor_](PlanAssessment assessment) {
-        if (beforeDrag_ || asked != assessor_) {
-          return;  // the plane has been grasped again, or another case opened, meanwhile: that asks anew
+      [this, asked = assessor_, of = plan()](PlanAssessment assessment) {
+        if (beforeDrag_ || asked != assessor_ || !(of == plan())) {
+          return;  // the plane has been moved again, or another case opened, meanwhile: that asks anew
         }
         assessment_ = std::move(assessment);
         freshness_ = Freshness::All;

@@ -98,10 +98,14 @@ class Document : public QObject {
   /// A matter of looking, not of the plan: stored, but no undo step.
   void setVisible(const std::string& structureId, bool visible);
 
-  /// From begin to end is one undo step; between them only the volumes follow.
+  /// From begin to end is one undo step. Between them all numbers follow in the same frame where the last ones took no longer than
+  /// that, else the volumes alone.
   void beginDrag();
   void dragTo(const ResectionPlane& plane);
   void endDrag(const ResectionPlane& plane);
+  [[nodiscard]] bool isDragging() const { return beforeDrag_.has_value(); }
+  /// How long all numbers may take for an edit to bring them at once; with 0 a job always brings what is no volume.
+  void setFrameBudgetMs(double ms) { frameBudgetMs_ = ms; }
 
   /// A finished reconstruction; colour, opacity and visibility stay as the user has set them meanwhile. Nobody has accepted it.
   void setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction);
@@ -168,6 +172,9 @@ class Document : public QObject {
   void replaceModel(std::shared_ptr<const LiverModel> model);
   void prepareAssessor();
   void assessVolumes();
+  /// All numbers where they are expected to fit into a frame, else the volumes.
+  void assessInFrame();
+  /// By a job, unless they are there.
   void assessAll();
 
   JobRunner& jobs_;
@@ -186,6 +193,8 @@ class Document : public QObject {
   std::optional<Vec3> liverCentre_;
   PlanAssessment assessment_;
   Freshness freshness_ = Freshness::None;
+  double frameBudgetMs_ = 16;
+  double wholeMs_ = 0;  ///< what all numbers are expected to take
   std::optional<std::vector<ResectionPlan>> beforeDrag_;
   int savingIndex_ = -1;  ///< the undo index a save under way will make clean
 };

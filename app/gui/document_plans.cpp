@@ -55,7 +55,7 @@ void Document::choose(const ChosenPlane& chosen) {
   chosen_ = next;
   emit planChanged();
   if (otherPlan) {
-    assessVolumes();
+    assessInFrame();
     assessAll();
   }
 }
@@ -147,7 +147,10 @@ void Document::removePlan() {
   pushPlans(QString::fromLatin1(QT_TR_NOOP("delete plan")), without(case_.plans, chosen_.plan), {chosen_.plan, 0, 0});
 }
 
-void Document::beginDrag() { beforeDrag_ = case_.plans; }
+void Document::beginDrag() {
+  beforeDrag_ = case_.plans;
+  wholeMs_ = 0;  // each drag tries once more
+}
 
 void Document::dragTo(const ResectionPlane& plane) {
   if (!beforeDrag_) {
@@ -155,7 +158,7 @@ void Document::dragTo(const ResectionPlane& plane) {
   }
   case_.plans = plansWithPlane(plane);
   emit planChanged();
-  assessVolumes();
+  assessInFrame();
 }
 
 void Document::endDrag(const ResectionPlane& plane) {
@@ -185,7 +188,7 @@ void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& cho
     store_.storePlans(case_.plans, name);
   }
   emit planChanged();
-  assessVolumes();
+  assessInFrame();
   assessAll();
 }
 

@@ -50,12 +50,12 @@ void IslandBox::retranslateUi() {
 }
 
 void IslandBox::refresh() {
-  const bool current = document_.isOpen() && document_.freshness() == Freshness::All;
+  const bool current = document_.isOpen() && !document_.isDragging() && document_.freshness() == Freshness::All;
   const std::vector<IslandAssessment>& islands = document_.assessment().islands;
   list_->setEnabled(current);
   list_->setToolTip(current ? QString() : tr("Out of date until the plane rests"));
-  if (document_.isOpen() && document_.freshness() != Freshness::All) {
-    return;  // the old ones stay until the new ones are known
+  if (document_.isOpen() && !current) {
+    return;  // the old ones stay until the plane rests and the new ones are known: the panel does not jump under the mouse
   }
   refreshing_ = true;
   list_->clear();

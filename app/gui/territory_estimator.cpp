@@ -40,7 +40,7 @@ TerritoryEstimator::TerritoryEstimator(JobRunner& jobs, Document& document, QObj
   });
   // A drag moves the plane often; the estimates follow when it rests.
   connect(&document_, &Document::assessmentChanged, this, [this] {
-    if (state_ == State::Following && document_.freshness() == Freshness::All) {
+    if (state_ == State::Following && !document_.isDragging() && document_.freshness() == Freshness::All) {
       follow();
     }
   });

@@ -1,11 +1,14 @@
 #include "planning/volumetry/assessment.h"
 
+#include <array>
 #include <cmath>
+#include <functional>
 
 #include "planning/volumetry/resected.h"
 #include "planning/volumetry/side_pieces.h"
 #include "planning/volumetry/tumour_margin.h"
 #include "planning/volumetry/vessel_crossings.h"
+#include "reconstruction/parallel.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -43,7 +46,9 @@ struct PlanAssessor::Impl {
   }
   [[nodiscard]] PlanAssessment volumes(const PlanInImage& plan) const;
   void addVolumes(PlanAssessment& result, const Resected& inLiver, std::int64_t resected, std::int64_t diseased) const;
-  [[nodiscard]] std::vector<IslandAssessment> listIslands(const PlanInImage& plan) const;
+  [[nodiscard]] std::vector<IslandAssessment> listIslands(const PlanInImage& plan, const SidePieces& sides) const;
+  [[nodiscard]] std::vector<TumourAssessment> assessTumours(const PlanInImage& plan) const;
+  [[nodiscard]] std::vector<VesselCrossing> findCrossings(const PlanInImage& plan) const;
   [[nodiscard]] TumourAssessment assessTumour(const Part& tumour, const PlanInImage& plan, const CutDistance& cut) const;
 };
 
@@ -188,12 +193,12 @@ PlanAssessment PlanAssessor::Impl::volumes(const PlanInImage& plan) const {
   return result;
 }
 
-std::vector<IslandAssessment> PlanAssessor::Impl::listIslands(const PlanInImage& plan) const {
+std::vector<IslandAssessment> PlanAssessor::Impl::listIslands(const PlanInImage& plan, const SidePieces& sides) const {
   std::vector<std::int64_t> diseased;
-  (void)plan.sides->switchedUnits(lesionsInLiver, plan.resections, &diseased);
+  (void)sides.switchedUnits(lesionsInLiver, plan.resections, &diseased);
   std::vector<IslandAssessment> islands;
-  for (std::size_t n = 0; n < plan.sides->pieces().size(); ++n) {
-    const SidePiece& piece = plan.sides->pieces()[n];
+  for (std::size_t n = 0; n < sides.pieces().size(); ++n) {
+    const SidePiece& piece = sides.pieces()[n];
     if (!piece.main && (piece.switched || ml(piece.units) > kListedIslandMl)) {
       islands.push_back({piece.side, piece.switched, ml(piece.units), ml(piece.units - diseased[n]),
                          geometry.origin + geometry.direction * piece.point});
@@ -262,33 +267,67 @@ PlanAssessment PlanAssessor::volumes(const ResectionPlan& source) const {
   return result;
 }
 
+std::vector<TumourAssessment> PlanAssessor::Impl::assessTumours(const PlanInImage& plan) const {
+  std::vector<TumourAssessment> assessed(tumours.size());
+  if (!tumours.empty()) {
+    const CutDistance cut(surfaceOf(liver, geometry.spacing, plan));
+    parallelFor(tumours.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        assessed[n] = assessTumour(tumours[n], plan, cut);
+      }
+    });
+  }
+  return assessed;
+}
+
+std::vector<VesselCrossing> PlanAssessor::Impl::findCrossings(const PlanInImage& plan) const {
+  std::vector<VesselCrossing> crossings;
+  for (const Part& vessel : vessels) {
+    const std::vector<CutPiece> pieces = surfaceOf(vessel.rows, geometry.spacing, plan);
+    const auto found = vesselCrossings(vessel.id, vessel.name, vessel.rows, pieces, geometry);
+    crossings.insert(crossings.end(), found.begin(), found.end());
+  }
+  return crossings;
+}
+
 PlanAssessment PlanAssessor::assess(const ResectionPlan& source) const {
   PlanInImage plan{source, toImage(source, impl_->geometry), {}};
-  const Vec3& spacing = impl_->geometry.spacing;
   std::string warning;
-  if (!source.resections.empty() || !source.islands.empty()) {
+  if (!source.islands.empty()) {
     plan.sides = sidesOf(impl_->liver, impl_->geometry, plan, warning);
   }
-  PlanAssessment result = impl_->volumes(plan);
+  PlanAssessment result;
+  std::vector<TumourAssessment> tumours;
+  std::vector<VesselCrossing> crossings;
+  std::optional<SidePieces> found;  // what only the list of islands asks for need not be there before the rest
+  const std::array<std::function<void()>, 4> work{
+      [&] { tumours = impl_->assessTumours(plan); }, [&] { crossings = impl_->findCrossings(plan); },
+      [&] {
+        if (!plan.sides && !source.resections.empty()) {
+          found.emplace(impl_->liver, impl_->geometry.spacing, plan.resections);
+        }
+      },
+      [&] { result = impl_->volumes(plan); }};
+  parallelFor(work.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      work[n]();
+    }
+  });
   if (!warning.empty()) {
     addSentence(result.warning, warning);
   }
-  if (plan.sides && result.divides) {
-    result.islands = impl_->listIslands(plan);
+  const std::optional<SidePieces>& sides = plan.sides ? plan.sides : found;
+  if (sides && result.divides) {
+    result.islands = impl_->listIslands(plan, *sides);
   }
-  const CutDistance cut(impl_->tumours.empty() ? std::vector<CutPiece>() : surfaceOf(impl_->liver, spacing, plan));
-  for (const Impl::Part& tumour : impl_->tumours) {
-    result.tumours.push_back(impl_->assessTumour(tumour, plan, cut));
-    if (result.tumours.back().state == TumourState::Cut && !result.tumours.back().marginMm) {
+  for (const TumourAssessment& tumour : tumours) {
+    if (tumour.state == TumourState::Cut && !tumour.marginMm) {
       addSentence(result.warning,
                   "The margin of " + tumour.name + " is not measured while it is cut and islands are given to a side.");
     }
   }
-  for (const Impl::Part& vessel : impl_->vessels) {
-    const std::vector<CutPiece> pieces = surfaceOf(vessel.rows, spacing, plan);
-    auto crossings = vesselCrossings(vessel.id, vessel.name, vessel.rows, pieces, impl_->geometry);
-    result.vesselsCrossed.insert(result.vesselsCrossed.end(), crossings.begin(), crossings.end());
-  }
+  result.tumours = std::move(tumours);
+  result.vesselsCrossed = std::move(crossings);
   return result;
 }
 

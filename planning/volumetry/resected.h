@@ -31,16 +31,6 @@ struct Resected {
 };
 Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
 
-/// A stretch of a run that is on one side altogether, or a single voxel that has parts on both.
-struct RunPart {
-  RowRun run;
-  std::int64_t resected = 0;  ///< units; 0 or all of it, but for a single voxel
-  std::size_t owner = 0;      ///< the resection that has most of what is resected
-  [[nodiscard]] std::int64_t units() const { return static_cast<std::int64_t>(run.n) << 32; }
-};
-/// The rows' voxels in order, in as few parts as that allows.
-std::vector<RunPart> partsOf(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
-
 /// A piece of the resection surface inside one run of voxels.
 struct CutPiece {
   Polygon polygon;  ///< image frame, mm

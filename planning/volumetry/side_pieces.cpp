@@ -1,7 +1,6 @@
 #include "planning/volumetry/side_pieces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -19,66 +18,64 @@ PlanSide other(PlanSide side) { return side == PlanSide::Resected ? PlanSide::Re
 std::int64_t unitsOn(PlanSide side, const RunPart& part) {
   return side == PlanSide::Resected ? part.resected : part.units() - part.resected;
 }
+
+int endOf(const RunPart& part) { return part.run.i + part.run.n; }
 }  // namespace
 
 SidePieces::SidePieces(const VoxelRows& liver, const Vec3& spacing, const std::vector<ImageResection>& plan)
-    : spacing_(spacing), parts_(partsOf(liver, spacing, plan)) {
-  for (std::size_t n = 0; n < parts_.size(); ++n) {
-    const auto [row, isNew] = rows_.try_emplace({parts_[n].run.k, parts_[n].run.j}, n, n);
-    row->second.second = n + 1;
-  }
+    : spacing_(spacing), parts_(partsOf(liver, spacing, plan)), rows_(parts_.size(), [this](std::size_t n) { return parts_[n].run; }) {
   connect();
   measure(plan.size());
 }
 
 void SidePieces::connect() {
-  for (const PlanSide side : kSides) {
-    UnionFind groups(parts_.size());
-    const auto has = [&](std::size_t n) { return unitsOn(side, parts_[n]) > 0; };
-    for (const auto& [row, range] : rows_) {
-      for (std::size_t n = range.first; n + 1 < range.second; ++n) {
-        const bool touch = parts_[n].run.i + parts_[n].run.n == parts_[n + 1].run.i;
-        if (touch && has(n) && has(n + 1)) {
-          groups.unite(static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n + 1));
-        }
-      }
-      for (const auto& next : {rows_.find({row.first, row.second + 1}), rows_.find({row.first + 1, row.second})}) {
-        if (next == rows_.end()) {
-          continue;
-        }
-        std::size_t b = next->second.first;
-        for (std::size_t a = range.first; a < range.second; ++a) {
-          const int end = parts_[a].run.i + parts_[a].run.n;
-          while (b > next->second.first && parts_[b - 1].run.i + parts_[b - 1].run.n > parts_[a].run.i) {
-            --b;
-          }
-          for (; b < next->second.second && parts_[b].run.i < end; ++b) {
-            const bool overlap = parts_[b].run.i + parts_[b].run.n > parts_[a].run.i;
-            if (overlap && has(a) && has(b)) {
-              groups.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
-            }
-          }
-        }
+  std::array<UnionFind, 2> groups{UnionFind(parts_.size()), UnionFind(parts_.size())};
+  const auto unite = [&](std::size_t a, std::size_t b) {
+    for (const PlanSide side : kSides) {
+      if (unitsOn(side, parts_[a]) > 0 && unitsOn(side, parts_[b]) > 0) {
+        groups[indexOf(side)].unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
       }
     }
+  };
+  rows_.forEachRow([&](int j, int k, const RowTable::Range& row) {
+    for (std::size_t n = row.begin; n + 1 < row.end; ++n) {
+      if (endOf(parts_[n]) == parts_[n + 1].run.i) {
+        unite(n, n + 1);
+      }
+    }
+    for (const RowTable::Range& next : {rows_.row(j + 1, k), rows_.row(j, k + 1)}) {
+      std::size_t a = row.begin;
+      std::size_t b = next.begin;
+      while (a < row.end && b < next.end) {
+        if (std::max(parts_[a].run.i, parts_[b].run.i) < std::min(endOf(parts_[a]), endOf(parts_[b]))) {
+          unite(a, b);
+        }
+        ++(endOf(parts_[a]) < endOf(parts_[b]) ? a : b);
+      }
+    }
+  });
+  for (const PlanSide side : kSides) {
     std::vector<std::uint32_t>& piece = piece_[indexOf(side)];
     piece.assign(parts_.size(), kNone);
-    std::map<std::uint32_t, std::uint32_t> numbers;
     for (std::uint32_t n = 0; n < parts_.size(); ++n) {
-      if (has(n)) {
-        const auto [at, isNew] = numbers.try_emplace(groups.find(n), static_cast<std::uint32_t>(pieces_.size()));
-        if (isNew) {
-          pieces_.push_back({side, 0, false, false, Vec3::Zero()});
-        }
-        piece[n] = at->second;
+      if (unitsOn(side, parts_[n]) == 0) {
+        continue;
       }
+      const std::uint32_t first = groups[indexOf(side)].find(n);  // the piece's first part: none comes before it
+      if (first == n) {
+        piece[n] = static_cast<std::uint32_t>(pieces_.size());
+        pieces_.push_back({side, 0, false, false, Vec3::Zero()});
+      }
+      piece[n] = piece[first];
     }
   }
 }
 
 void SidePieces::measure(std::size_t resections) {
   std::vector<int> longest(pieces_.size(), 0);
-  std::vector<std::map<std::size_t, std::int64_t>> owned(pieces_.size());
+  // Of each piece, what each resection has of it; the last owner is the remnant.
+  const std::size_t owners = resections + 1;
+  std::vector<std::int64_t> owned(pieces_.size() * owners, 0);
   for (const PlanSide side : kSides) {
     for (std::size_t n = 0; n < parts_.size(); ++n) {
       const std::uint32_t number = piece_[indexOf(side)][n];
@@ -87,23 +84,22 @@ void SidePieces::measure(std::size_t resections) {
       }
       SidePiece& piece = pieces_[number];
       piece.units += unitsOn(side, parts_[n]);
-      owned[number][side == PlanSide::Resected ? parts_[n].owner : resections] += unitsOn(side, parts_[n]);
+      owned[number * owners + (side == PlanSide::Resected ? parts_[n].owner : resections)] += unitsOn(side, parts_[n]);
       const RowRun& run = parts_[n].run;
-      if (run.n > longest[number]) {
-        longest[number] = run.n;
-        const int middle = run.i + (run.n - 1) / 2;  // a voxel's centre
+      const int length = parts_[n].isDivided() ? 1 : run.n;
+      if (length > longest[number]) {
+        longest[number] = length;
+        const int middle = run.i + (length - 1) / 2;  // a voxel's centre
         piece.point = spacing_.cwiseProduct(Vec3(middle, run.j, run.k));
       }
     }
   }
-  // The last owner is the remnant.
-  for (std::size_t owner = 0; owner <= resections; ++owner) {
+  for (std::size_t owner = 0; owner < owners; ++owner) {
     std::size_t largest = pieces_.size();
     std::int64_t most = 0;
     for (std::size_t n = 0; n < pieces_.size(); ++n) {
-      const auto found = owned[n].find(owner);
-      if (found != owned[n].end() && found->second > most) {
-        most = found->second;
+      if (owned[n * owners + owner] > most) {
+        most = owned[n * owners + owner];
         largest = n;
       }
     }
@@ -114,14 +110,11 @@ void SidePieces::measure(std::size_t resections) {
 }
 
 std::optional<std::size_t> SidePieces::partAt(int i, int j, int k) const {
-  const auto row = rows_.find({k, j});
-  if (row == rows_.end()) {
-    return std::nullopt;
-  }
-  const auto begin = parts_.begin() + static_cast<std::ptrdiff_t>(row->second.first);
-  const auto end = parts_.begin() + static_cast<std::ptrdiff_t>(row->second.second);
+  const RowTable::Range row = rows_.row(j, k);
+  const auto begin = parts_.begin() + static_cast<std::ptrdiff_t>(row.begin);
+  const auto end = parts_.begin() + static_cast<std::ptrdiff_t>(row.end);
   auto at = std::upper_bound(begin, end, i, [](int value, const RunPart& part) { return value < part.run.i; });
-  if (at == begin || i >= std::prev(at)->run.i + std::prev(at)->run.n) {
+  if (at == begin || i >= endOf(*std::prev(at))) {
     return std::nullopt;
   }
   return static_cast<std::size_t>(std::prev(at) - parts_.begin());
@@ -179,13 +172,18 @@ std::int64_t SidePieces::switchedUnits(const VoxelRows& rows, const std::vector<
   for (const RunPart& part : partsOf(rows, spacing_, plan)) {
     // These voxels need not lie in L: each is looked up by itself where the part reaches over L's own.
     const auto own = partAt(part.run.i, part.run.j, part.run.k);
-    const bool within = own && part.run.i + part.run.n <= parts_[*own].run.i + parts_[*own].run.n;
-    const int step = within ? part.run.n : 1;
-    for (int i = part.run.i; i < part.run.i + part.run.n; i += step) {
-      const RowRun run{i, part.run.j, part.run.k, step};
-      const std::int64_t resected = part.run.n == step ? part.resected : part.resected / part.run.n;
-      add(PlanSide::Resected, run, resected);
-      add(PlanSide::Remnant, run, (static_cast<std::int64_t>(step) << 32) - resected);
+    if (own && endOf(part) <= endOf(parts_[*own])) {
+      add(PlanSide::Resected, part.run, part.resected);
+      add(PlanSide::Remnant, part.run, part.units() - part.resected);
+      continue;
+    }
+    for (int i = part.run.i; i < endOf(part); ++i) {
+      const RowRun voxel{i, part.run.j, part.run.k, 1};
+      const std::int64_t units = std::int64_t{1} << 32;
+      const std::int64_t resected =
+          part.isDivided() ? resect({{voxel}, 1}, spacing_, plan).totalUnits() : part.resected / part.run.n;
+      add(PlanSide::Resected, voxel, resected);
+      add(PlanSide::Remnant, voxel, units - resected);
     }
   }
   return brought;

@@ -7,12 +7,13 @@
 // A piece is the main one of the resected side where it holds the largest part of some resection, of the remnant where it is the
 // largest. Every other piece is an island.
 
+#include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <vector>
 
-#include "planning/volumetry/resected.h"
+#include "planning/volumetry/row_table.h"
+#include "planning/volumetry/run_parts.h"
 
 namespace glisson {
 
@@ -53,8 +54,8 @@ class SidePieces {
 
   Vec3 spacing_;
   std::vector<RunPart> parts_;
-  std::map<std::pair<int, int>, std::pair<std::size_t, std::size_t>> rows_;  ///< (k, j) -> parts [first, last)
-  std::array<std::vector<std::uint32_t>, 2> piece_;                          ///< of each part, by side; kNone where it has none
+  RowTable rows_;                                    ///< of the parts
+  std::array<std::vector<std::uint32_t>, 2> piece_;  ///< of each part, by side; kNone where it has none
   std::vector<SidePiece> pieces_;
 };
 

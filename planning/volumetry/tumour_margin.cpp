@@ -159,20 +159,30 @@ std::uint32_t CutDistance::build(std::uint32_t begin, std::uint32_t end) {
   return index;
 }
 
-void CutDistance::search(std::uint32_t index, const Box& box, Way& best) const {
+/// No way from the box to the piece is shorter, up to kOnPlaneMm: the distance to the piece's plane is the sharper bound where the
+/// box lies over it, the gap where it lies beside it.
+double CutDistance::bound(std::uint32_t piece, const Box& box) const {
+  const double toPlane = std::abs(planes_[piece].distance(box.centre)) - planes_[piece].support(box.half);
+  return std::max(toPlane - kOnPlaneMm, gap(box, low_[piece], high_[piece]));
+}
+
+void CutDistance::keepShortest(const Box& box, std::uint32_t piece, Way& best) const {
+  Way way = shortestWay(box, pieces_[piece].polygon);
+  if (way.mm < best.mm) {
+    way.piece = piece;
+    best = way;
+  }
+}
+
+/// Calls look(piece, bound) for pieces that may be nearer than `best`, which the calls make less.
+template <typename Look>
+void CutDistance::search(std::uint32_t index, const Box& box, const double& best, const Look& look) const {
   const Node& node = nodes_[index];
   if (node.right == 0) {
     for (std::uint32_t n = node.begin; n < node.end; ++n) {
-      const std::uint32_t piece = order_[n];
-      // The distance to the piece's plane is the sharper bound where the box lies over it, the gap where it lies beside it.
-      const double toPlane = std::abs(planes_[piece].distance(box.centre)) - planes_[piece].support(box.half);
-      if (toPlane > best.mm + kOnPlaneMm || gap(box, low_[piece], high_[piece]) >= best.mm) {
-        continue;
-      }
-      Way way = shortestWay(box, pieces_[piece].polygon);
-      if (way.mm < best.mm) {
-        way.piece = piece;
-        best = way;
+      const double least = bound(order_[n], box);
+      if (least < best) {
+        look(order_[n], least);
       }
     }
     return;
@@ -182,8 +192,8 @@ void CutDistance::search(std::uint32_t index, const Box& box, Way& best) const {
                                    gap(box, nodes_[children[1]].low, nodes_[children[1]].high)};
   const std::size_t nearer = gaps[1] < gaps[0] ? 1 : 0;
   for (const std::size_t child : {nearer, 1 - nearer}) {
-    if (gaps[child] < best.mm) {
-      search(children[child], box, best);
+    if (gaps[child] < best) {
+      search(children[child], box, best, look);
     }
   }
 }
@@ -191,18 +201,32 @@ void CutDistance::search(std::uint32_t index, const Box& box, Way& best) const {
 CutDistance::Way CutDistance::shortest(const VoxelRows& rows, const Vec3& spacing) const {
   Way best;
   best.mm = kInfinity;
-  if (pieces_.empty()) {
+  if (pieces_.empty() || rows.runs.empty()) {
     return best;
   }
-  // A coarse pass first gives a bound that prunes nearly all of the second.
-  for (const std::size_t stride : {std::size_t{32}, std::size_t{1}}) {
-    for (std::size_t n = 0; n < rows.runs.size(); n += stride) {
-      const Box box = boxOf(rows.runs[n], spacing);
-      if (gap(box, nodes_[0].low, nodes_[0].high) < best.mm) {
-        search(0, box, best);
+  const auto forEachBox = [&](const double& nearest, const auto& visit) {
+    for (const RowRun& run : rows.runs) {
+      const Box box = boxOf(run, spacing);
+      if (gap(box, nodes_[0].low, nodes_[0].high) < nearest) {
+        visit(box);
       }
     }
-  }
+  };
+  // The pair of the least bound is near the shortest way: from there few pairs are left to be measured.
+  double least = kInfinity;
+  Box likely;
+  std::uint32_t piece = 0;
+  forEachBox(least, [&](const Box& box) {
+    search(0, box, least, [&](std::uint32_t found, double bound) {
+      least = bound;
+      likely = box;
+      piece = found;
+    });
+  });
+  keepShortest(likely, piece, best);
+  forEachBox(best.mm, [&](const Box& box) {
+    search(0, box, best.mm, [&](std::uint32_t found, double /*bound*/) { keepShortest(box, found, best); });
+  });
   return best;
 }
 
@@ -291,11 +315,6 @@ Vec3 nearestSample(const Vec3& p, const BentSurface& surface) {
   return nearest;
 }
 
-/// Whether a single bent plane is surely no farther than `mm`: above() is the way along its normal.
-bool isNearer(const Vec3& p, const ImageResection& resection, double mm) {
-  return resection.planes.empty() && resection.bends.size() == 1 && -resection.bends[0].above(p) <= mm;
-}
-
 /// The same for a resection with bent planes: each is taken as the plane that touches it where the last step ended.
 void keepBentProjection(const Vec3& p, const ImageResection& resection, double& best, Vec3& normal) {
   std::vector<Vec3> feet;
@@ -366,35 +385,65 @@ void keepBentProjection(const Vec3& p, const ImageResection& resection, double& 
 }
 }  // namespace
 
+namespace {
+/// The distance of a point to the resected region, and the direction to it.
+double depthOf(const Vec3& p, const std::vector<ImageResection>& plan, Vec3& along) {
+  double depth = kInfinity;
+  for (const ImageResection& resection : plan) {
+    if (!resection.bends.empty()) {
+      keepBentProjection(p, resection, depth, along);
+    } else if (resection.planes.size() == 1) {
+      const double outside = std::max(0.0, -resection.planes[0].distance(p));
+      if (outside < depth) {
+        depth = outside;
+        along = resection.planes[0].normal;
+      }
+    } else if (!resection.planes.empty()) {
+      keepProjection(p, resection.planes, depth, along);
+    }
+  }
+  return depth;
+}
+
+/// What the depth of a point surely does not pass, without a projection: a single bent plane is no farther than along its normal.
+double mostDepth(const Vec3& p, const std::vector<ImageResection>& plan) {
+  double most = kInfinity;
+  for (const ImageResection& resection : plan) {
+    if (resection.planes.empty() && resection.bends.size() == 1) {
+      most = std::min(most, -resection.bends[0].above(p));
+    }
+  }
+  return most;
+}
+}  // namespace
+
 double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal) {
-  double greatest = 0;
-  normal = Vec3::UnitZ();
+  struct Corner {
+    Vec3 p;
+    double most = kInfinity;
+  };
+  std::vector<Corner> corners;
+  corners.reserve(8 * rows.runs.size());
   for (const RowRun& run : rows.runs) {
     const Box box = boxOf(run, spacing);
     for (unsigned corner = 0; corner < 8; ++corner) {
       const Vec3 p = cornerOf(box, corner);
-      if (std::any_of(plan.begin(), plan.end(), [&](const ImageResection& r) { return isNearer(p, r, greatest); })) {
-        continue;
-      }
-      double depth = kInfinity;
-      Vec3 along = Vec3::UnitZ();
-      for (const ImageResection& resection : plan) {
-        if (!resection.bends.empty()) {
-          keepBentProjection(p, resection, depth, along);
-        } else if (resection.planes.size() == 1) {
-          const double outside = std::max(0.0, -resection.planes[0].distance(p));
-          if (outside < depth) {
-            depth = outside;
-            along = resection.planes[0].normal;
-          }
-        } else if (!resection.planes.empty()) {
-          keepProjection(p, resection.planes, depth, along);
-        }
-      }
-      if (std::isfinite(depth) && depth > greatest) {
-        greatest = depth;
-        normal = along;
-      }
+      corners.push_back({p, mostDepth(p, plan)});
+    }
+  }
+  // The deepest ones first: few of the others have to be projected.
+  std::stable_sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.most > b.most; });
+  double greatest = 0;
+  normal = Vec3::UnitZ();
+  for (const Corner& corner : corners) {
+    if (corner.most <= greatest) {
+      break;
+    }
+    Vec3 along = Vec3::UnitZ();
+    const double depth = depthOf(corner.p, plan, along);
+    if (std::isfinite(depth) && depth > greatest) {
+      greatest = depth;
+      normal = along;
     }
   }
   return greatest;

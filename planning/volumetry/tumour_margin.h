@@ -31,7 +31,10 @@ class CutDistance {
     std::uint32_t right = 0;  ///< 0: a leaf; the left child follows its parent
   };
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
-  void search(std::uint32_t node, const Box& box, Way& best) const;
+  template <typename Look>
+  void search(std::uint32_t node, const Box& box, const double& best, const Look& look) const;
+  [[nodiscard]] double bound(std::uint32_t piece, const Box& box) const;
+  void keepShortest(const Box& box, std::uint32_t piece, Way& best) const;
 
   std::vector<CutPiece> pieces_;
   std::vector<std::uint32_t> order_;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "planning/volumetry/row_table.h"
 #include "reconstruction/mesh/union_find.h"
 
 namespace glisson {
@@ -29,30 +30,24 @@ Span spanOf(const Polygon& polygon) {
 /// Joins pieces of neighbouring rows whose extents along i come closer than half a voxel: vessels one voxel apart stay two.
 UnionFind connect(const std::vector<CutPiece>& pieces, const VoxelRows& rows, double spacing) {
   UnionFind groups(pieces.size());
-  std::map<std::pair<int, int>, std::vector<std::uint32_t>> byRow;
+  const RowTable table(pieces.size(), [&](std::size_t n) { return rows.runs[pieces[n].run]; });
   std::vector<Span> spans;
-  for (std::uint32_t n = 0; n < pieces.size(); ++n) {
-    const RowRun& run = rows.runs[pieces[n].run];
-    byRow[{run.k, run.j}].push_back(n);
-    spans.push_back(spanOf(pieces[n].polygon));
+  spans.reserve(pieces.size());
+  for (const CutPiece& piece : pieces) {
+    spans.push_back(spanOf(piece.polygon));
   }
-  for (const auto& [row, members] : byRow) {
-    for (int dk = 0; dk <= 1; ++dk) {
-      for (int dj = dk == 0 ? 0 : -1; dj <= 1; ++dj) {
-        const auto other = byRow.find({row.first + dk, row.second + dj});
-        if (other == byRow.end()) {
-          continue;
-        }
-        for (const std::uint32_t a : members) {
-          for (const std::uint32_t b : other->second) {
-            if (spans[a].low < spans[b].high + 0.5 * spacing && spans[b].low < spans[a].high + 0.5 * spacing) {
-              groups.unite(a, b);
-            }
+  table.forEachRow([&](int j, int k, const RowTable::Range& row) {
+    for (const RowTable::Range& other :
+         {row, table.row(j + 1, k), table.row(j - 1, k + 1), table.row(j, k + 1), table.row(j + 1, k + 1)}) {
+      for (std::size_t a = row.begin; a < row.end; ++a) {
+        for (std::size_t b = other.begin; b < other.end; ++b) {
+          if (spans[a].low < spans[b].high + 0.5 * spacing && spans[b].low < spans[a].high + 0.5 * spacing) {
+            groups.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
           }
         }
       }
     }
-  }
+  });
   return groups;
 }
 

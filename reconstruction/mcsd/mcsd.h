@@ -3,9 +3,10 @@
 // The work is done in index space (spacing 1), on the mask's box padded by one voxel, and mapped to mm LPS at the end.
 //
 // Two deviations from the reference chain. Inside is 201, not 200: at 100.5 between 0 and 200 the surface lies 0.0025 voxel inside
-// the voxels' faces (0.004 mm at 1.6 mm slices); between 0 and 201 it lies on them. The triangles are the same ones. And without
-// splitting the mesh does not pass through vtkPolyDataNormals: where decimation has left edges of more than two triangles, its
-// Consistency turns triangles around them the wrong way (ircadb01's liver at 90 %: 179 edges), elsewhere it changes none.
+// the voxels' faces (0.004 mm at 1.6 mm slices); between 0 and 201 it lies on them. The triangles are the same ones. And the mesh
+// does not pass through vtkPolyDataNormals: where decimation has left edges of more than two triangles, its Consistency turns
+// triangles around them the wrong way (ircadb01's liver at 90 %: 179 edges), elsewhere it changes none. Sharp edges are split in mm
+// by mesh/sharp_edges.h, which gives the same copies.
 
 #include <functional>
 #include <span>
@@ -24,7 +25,7 @@ struct McsdParameters {
   SmoothingFilter filter = SmoothingFilter::Sinc;
   double decimation = 0.25;  ///< share of triangles to remove, 0..0.99
   McsdOrder order = McsdOrder::DecimateFirst;
-  bool splitNormals = false;  ///< vtkPolyDataNormals Splitting: duplicates vertices at sharp edges
+  bool splitNormals = false;  ///< duplicates vertices at sharp edges (mesh/sharp_edges.h)
 
   /// Throws UsageError.
   void validate() const;

@@ -8,7 +8,6 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkSmoothPolyDataFilter.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
@@ -163,14 +162,6 @@ IndexSurface reversed(IndexSurface surface) {
     std::swap(t[0], t[2]);
   }
   return surface;
-}
-
-IndexSurface splitAtSharpEdges(const IndexSurface& surface, const ExecutionContext& context) {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(dataOf(surface));
-  normals->SetFeatureAngle(60);
-  normals->SplittingOn();
-  return run(*normals, context, "normals");
 }
 
 bool everyEdgeHasTwoTriangles(const IndexSurface& surface) {

@@ -28,8 +28,6 @@ IndexSurface decimate(const IndexSurface& surface, double share, const Execution
 IndexSurface smooth(const IndexSurface& surface, SmoothingFilter filter, int iterations, const ExecutionContext& context);
 /// Every triangle the other way round, as vtkReverseSense.
 IndexSurface reversed(IndexSurface surface);
-/// vtkPolyDataNormals with Splitting: vertices at sharp edges are doubled.
-IndexSurface splitAtSharpEdges(const IndexSurface& surface, const ExecutionContext& context);
 
 bool everyEdgeHasTwoTriangles(const IndexSurface& surface);
 /// Into mm LPS; points that no triangle uses are dropped.

@@ -8,6 +8,7 @@
 
 #include "reconstruction/errors.h"
 #include "reconstruction/mcsd/mcsd_stages.h"
+#include "reconstruction/mesh/sharp_edges.h"
 #include "reconstruction/parallel.h"
 
 namespace glisson {
@@ -163,11 +164,10 @@ void Sweep::finish(const Staged& made, const Sets& sets, const ExecutionContext&
   for (std::size_t n = 0; n < sets.size(); ++n) {
     const auto part = context.range(static_cast<double>(n) / static_cast<double>(sets.size()),
                                     static_cast<double>(n + 1) / static_cast<double>(sets.size()));
-    McsdResult result{{}, made.extractSeconds, made.decimateSeconds, made.smoothSeconds};
-    // Without splitting the filter only adds normals, which a SurfaceMesh does not carry (see mcsd.h).
-    result.mesh = parameters_[sets[n]].splitNormals
-                      ? toWorld(mcsd::splitAtSharpEdges(*made.surface, part.range(0.0, 0.0)), geometry_)
-                      : toWorld(*made.surface, geometry_);
+    McsdResult result{toWorld(*made.surface, geometry_), made.extractSeconds, made.decimateSeconds, made.smoothSeconds};
+    if (parameters_[sets[n]].splitNormals) {
+      result.mesh = splitAtSharpEdges(result.mesh);
+    }
     visit_(sets[n], std::move(result), part);
   }
 }

@@ -1,9 +1,10 @@
 // Measures how long the numbers of a plan take while its plane moves: a drag across the whole liver and back with a wobble, each
 // step as one mouse move.
 //   drag_numbers CASE.glisson [STEPS]     2,000 steps; make the case with glisson-cli model
-// Prints median, 99th percentile and worst of PlanAssessor::volumes() (every mouse move), of cutting the parenchyma's mesh by the
-// plane (drawn with it), and of assess() (when the plane rests); volumes() and assess() also with the plane bent, its heights
-// waving by up to 25 mm. Exit code 4 where volumes() passes 16 ms at the 99th percentile.
+// Prints median, 99th percentile and worst of PlanAssessor::assess() (every mouse move: volumes, tumours, vessels, islands), of
+// volumes() alone (what is left of it where the rest does not fit into a frame) and of cutting the parenchyma's mesh by the plane;
+// assess() and volumes() also with the plane bent, its heights waving by up to 25 mm. Exit code 4 where assess() of the flat plane
+// passes 16 ms at the 99th percentile.
 
 #include <algorithm>
 #include <chrono>
@@ -89,18 +90,18 @@ int run(const std::string& path, int steps) {
       if (parenchyma != nullptr && parenchyma->reconstruction) {
         cuts.push_back(milliseconds([&] { (void)cut(parenchyma->reconstruction->mesh, plan.resections[0].planes[0]); }));
       }
-      whole.push_back(milliseconds([&] { (void)assessor.assess(plan); }));
-      bentWhole.push_back(milliseconds([&] { (void)assessor.assess(bent); }));
     }
+    whole.push_back(milliseconds([&] { (void)assessor.assess(plan); }));
+    bentWhole.push_back(milliseconds([&] { (void)assessor.assess(bent); }));
   }
   std::printf("| numbers | steps | median ms | p99 ms | worst ms |\n|---|---|---|---|---|\n");
-  const double p99 =
-      std::max(tell("volumes, each mouse move", volumes), tell("volumes of a bent plane, each mouse move", bentVolumes));
+  const double p99 = tell("all numbers", whole);
+  tell("all numbers of a bent plane", bentWhole);
+  tell("volumes alone", volumes);
+  tell("volumes alone of a bent plane", bentVolumes);
   if (!cuts.empty()) {
     tell("capped halves of the parenchyma's mesh", cuts);
   }
-  tell("tumours, margins, vessels, when it rests", whole);
-  tell("the same of a bent plane", bentWhole);
   return p99 <= kFrameMs ? 0 : 4;
 }
 

@@ -75,7 +75,23 @@ TEST_F(DocumentTest, AGraspThatMovesNothingIsNoStep) {
   EXPECT_EQ(document->undoStack().count(), steps);
 }
 
-TEST_F(DocumentTest, WhileDraggingTheVolumesFollowAndTheMarginsAreMarkedOld_H5) {
+TEST_F(DocumentTest, WhileDraggingAllNumbersFollowInTheFrame) {
+  document->setFrameBudgetMs(1e9);
+  document->placePlane(planeAt(0));
+  ASSERT_TRUE(settle());
+  document->beginDrag();
+  const PlanAssessor assessor(document->content());
+  for (const double x : {18.0, 3.0, 40.0}) {
+    document->dragTo(planeAt(x));
+    EXPECT_EQ(document->freshness(), Freshness::All);
+    EXPECT_EQ(toJson(document->assessment()), toJson(assessor.assess(document->plan())));
+  }
+  document->endDrag(planeAt(40));
+  EXPECT_EQ(document->freshness(), Freshness::All);
+}
+
+TEST_F(DocumentTest, WhereAllNumbersTakeLongerThanAFrameTheVolumesFollowAndTheMarginsAreMarkedOld_H5) {
+  document->setFrameBudgetMs(0);
   document->placePlane(planeAt(0));
   ASSERT_TRUE(settle());
   const double before = document->assessment().resectedMl;
@@ -274,6 +290,7 @@ TEST_F(DocumentTest, ACaseThatWasOnlyLookedAtLeavesNothingBehindAndAnEditedOneSt
 }
 
 TEST_F(DocumentTest, AnAssessmentThatEndsDuringADragIsNotShownAsCurrent_H5) {
+  document->setFrameBudgetMs(0);
   ASSERT_TRUE(settle());
   document->placePlane(planeAt(0));  // its assessment is queued
   document->beginDrag();

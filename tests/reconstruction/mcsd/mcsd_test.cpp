@@ -9,6 +9,7 @@
 #include <random>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/mesh/sharp_edges.h"
 #include "tests/reconstruction/mcsd/plain_chain.h"
 #include "tests/support/trials.h"
 
@@ -75,6 +76,21 @@ TEST(Mcsd, IsThePlainVtkChainTriangleForTriangle) {
       }
     }
   }
+}
+
+/// An edge that is sharp where a voxel is a cube need not be where slices are thick, nor the other way round.
+TEST(Mcsd, EdgesAreSharpInMillimetres) {
+  const Mask mask = asymmetricBody(kSize);
+  ImageGeometry geometry = obliqueGeometry(kSize, true);
+  geometry.spacing = Vec3(1, 1, 6);
+  McsdParameters p{.smoothing = 0, .decimation = 0};
+  const SurfaceMesh merged = reconstructMcsd(mask, geometry, p).mesh;
+  p.splitNormals = true;
+  const SurfaceMesh split = reconstructMcsd(mask, geometry, p).mesh;
+  const SurfaceMesh expected = splitAtSharpEdges(merged);
+  EXPECT_GT(split.vertices.size(), merged.vertices.size());
+  EXPECT_EQ(split.vertices, expected.vertices);
+  EXPECT_EQ(split.triangles, expected.triangles);
 }
 
 /// Bounds of the mask's voxel boxes in index coordinates against those of the mesh brought back to index coordinates.

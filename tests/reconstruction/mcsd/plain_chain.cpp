@@ -1,6 +1,7 @@
 #include "tests/reconstruction/mcsd/plain_chain.h"
 
 #include <gtest/gtest.h>
+#include <vtkAlgorithmOutput.h>
 #include <vtkCellArray.h>
 #include <vtkDecimatePro.h>
 #include <vtkIdList.h>
@@ -9,6 +10,7 @@
 #include <vtkImageThreshold.h>
 #include <vtkMarchingCubes.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkReverseSense.h>
@@ -122,11 +124,22 @@ SurfaceMesh plainChain(const Mask& mask, const ImageGeometry& geometry, const Mc
   if (p.order == McsdOrder::SmoothFirst) {
     addDecimation();
   }
+  last->GetProducer()->Update();
+  auto* index = vtkPolyData::SafeDownCast(last->GetProducer()->GetOutputDataObject(0));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType n = 0; n < index->GetNumberOfPoints(); ++n) {
+    const Vec3 world = geometry.toWorld(Vec3(index->GetPoint(n)));
+    points->InsertNextPoint(world.data());
+  }
+  vtkNew<vtkPolyData> inWorld;
+  inWorld->ShallowCopy(index);
+  inWorld->SetPoints(points);
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(last);
+  normals->SetInputData(inWorld);
   normals->SetFeatureAngle(60);
   normals->SetSplitting(p.splitNormals ? 1 : 0);
-  normals->SetConsistency(p.splitNormals || consistency ? 1 : 0);
+  normals->SetConsistency(consistency ? 1 : 0);
   normals->Update();
   vtkPolyData* surface = normals->GetOutput();
   SurfaceMesh mesh;
@@ -136,9 +149,7 @@ SurfaceMesh plainChain(const Mask& mask, const ImageGeometry& geometry, const Mc
     Triangle t{};
     for (std::size_t c = 0; c < 3; ++c) {
       t[c] = static_cast<std::uint32_t>(mesh.vertices.size());
-      Vec3 index;
-      surface->GetPoint(corners->GetId(static_cast<vtkIdType>(c)), index.data());
-      mesh.vertices.push_back(geometry.toWorld(index));
+      mesh.vertices.emplace_back(surface->GetPoint(corners->GetId(static_cast<vtkIdType>(c))));
     }
     mesh.triangles.push_back(t);
   }

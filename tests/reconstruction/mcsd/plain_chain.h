@@ -10,8 +10,8 @@ Mask asymmetricBody(const Index3& size);
 /// A grid of 0.57 x 0.71 x 1.6 mm that lies askew.
 ImageGeometry obliqueGeometry(const Index3& size, bool leftHanded);
 
-/// The chain on the whole grid (inside 201: see mcsd.h), one filter behind the other. `consistency` is that of vtkPolyDataNormals
-/// where it does not split.
+/// The chain on the whole grid (inside 201: see mcsd.h), one filter behind the other, in mm behind the last one. `consistency` is
+/// that of vtkPolyDataNormals.
 SurfaceMesh plainChain(const Mask& mask, const ImageGeometry& geometry, const McsdParameters& p, bool consistency = true);
 /// Fails where a corner of a triangle differs by a bit, or their order.
 void expectSameTriangles(const SurfaceMesh& a, const SurfaceMesh& b);
