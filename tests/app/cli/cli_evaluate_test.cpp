@@ -237,6 +237,13 @@ TEST_F(CliEvaluate, RefusesAnEmptyLabel) {
   EXPECT_EQ(namesIn(folder.path()), before);
 }
 
+TEST_F(CliEvaluate, AMeshIsNotMeasuredAgainstALabelWithoutASurface) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "mesh.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const Keys speck{"measure", folder / "mesh.obj", "--reference", labels(), "--labels", "1=tumour,2=cyst", "--label", "2"};
+  expectRefusal(cli(speck), 3, "labels.mha, label 2: there is no surface to measure errors from");
+}
+
 TEST(CliEvaluateInterrupt, KeepsWhatIsDoneAndWritesNoTables) {
   const TemporaryFolder folder;
   const Finished finished =
