@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/cohort_plot.h"
 #include "app/cli/cohort_summary.h"
 #include "app/cli/html_table.h"
 #include "app/cli/svg.h"
@@ -17,6 +18,19 @@ using Model = std::optional<ModelFigures>;
 
 /// Of two, as a person says it: "3 of 4".
 std::string ofPatients(std::size_t count, std::size_t all) { return std::to_string(count) + " of " + std::to_string(all); }
+
+/// A folder's name as part of a relative address (RFC 3986).
+std::string inAddress(const std::string& name) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string address;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    address += plain ? std::string(1, c) : std::string{'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
+  }
+  return address;
+}
 
 class Report {
  public:
@@ -51,6 +65,7 @@ class Report {
   [[nodiscard]] std::string missing() const;
   [[nodiscard]] std::string depths() const;
   [[nodiscard]] std::string scores() const;
+  [[nodiscard]] std::string reports() const;
   [[nodiscard]] std::string comparison() const;
   [[nodiscard]] std::string chosen() const;
   [[nodiscard]] std::string times() const;
@@ -153,7 +168,16 @@ std::string Report::scores() const {
       "Objective score of each patient",
       "As Table 2: distance from the ideal of no error and no triangles, both scaled to 0..1 over all PSR and MCSD models of "
       "the patient. Less is better.",
-      htmlTable(depthHeadings("Patient"), rows));
+      scorePlot(cohort_) + htmlTable(depthHeadings("Patient"), rows) + reports());
+}
+
+std::string Report::reports() const {
+  std::string links;
+  for (const GatheredPatient* patient : evaluated_) {
+    links += (links.empty() ? "" : ", ") + ("<a href=\"" + inAddress(patient->entry.name) + "/report.html\">") +
+             escaped(patient->entry.name) + "</a>";
+  }
+  return "<p class=\"faint\">Reports: " + links + "</p>\n";
 }
 
 std::string Report::comparison() const {

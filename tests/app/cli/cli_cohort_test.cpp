@@ -170,7 +170,7 @@ TEST_F(CliCohort, TheReportIsOneFileWithEscapedNames) {
   const std::string html = bytesOf(lab() / "cohort.html");
   for (const char* part :
        {"Depths", "Objective score of each patient", "Reduction in triangles at equal smoothness", "Best and most similar models",
-        "Processing time", "Not in these numbers", "P &amp; 2", "too small for depth 8"}) {
+        "Processing time", "Not in these numbers", "P &amp; 2", "href=\"P%20%26%202/report.html\"", "too small for depth 8"}) {
     EXPECT_NE(html.find(part), std::string::npos) << part;
   }
   for (const char* outside : {"http:", "https:", "src=", "@import", "url(", "nan", "inf ", "P & 2"}) {
