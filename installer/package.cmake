@@ -11,6 +11,7 @@ if(TARGET glisson)
   install(FILES installer/glisson-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME glisson.xml)
   install(FILES resources/glisson.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 endif()
+install(PROGRAMS installer/slurm/submit installer/slurm/evaluate.sbatch DESTINATION ${CMAKE_INSTALL_DATADIR}/glisson/slurm)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
 set(CPACK_GENERATOR DEB)

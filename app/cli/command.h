@@ -32,6 +32,9 @@ void addPlan(CLI::App& app, Action& chosen);
 void addExport(CLI::App& app, Action& chosen);
 void addVerify(CLI::App& app, Action& chosen);
 
+/// Said of std::bad_alloc.
+inline constexpr const char* kOutOfMemory = "the memory does not suffice; close other programs, lower --depth or crop the input";
+
 /// --labels, --accept, --prefer as given.
 struct InputFlags {
   std::string labels;

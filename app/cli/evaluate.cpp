@@ -1,17 +1,9 @@
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <iostream>
-#include <mutex>
 
-#include "app/cli/command.h"
-#include "app/cli/evaluate_html.h"
-#include "app/cli/evaluate_summary.h"
-#include "app/cli/model_store.h"
-#include "app/cli/peak_memory.h"
-#include "planning/exchange/atomic_file.h"
+#include "app/cli/cohort.h"
+#include "app/cli/evaluate_label.h"
 #include "reconstruction/errors.h"
-#include "reconstruction/evaluation/experiment.h"
-#include "reconstruction/evaluation/models_csv.h"
 #include "reconstruction/parallel.h"
 
 namespace glisson::cli {
@@ -24,6 +16,11 @@ constexpr int kPublishedTimings = 3;
 struct Flags {
   std::string segmentation;
   std::string output;
+  std::string cohort;
+  bool alone = false;
+  int task = 0;  ///< where alone
+  bool gather = false;
+  bool count = false;
   std::string sampling = "paper";
   bool asPublished = false;
   bool bestOfThree = false;
@@ -46,12 +43,6 @@ ExperimentOptions optionsOf(const Flags& flags) {
   return options;
 }
 
-/// "DIR/" is DIR.
-std::filesystem::path withoutSlash(const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(text).lexically_normal();
-  return path.has_filename() ? path : path.parent_path();
-}
-
 /// Said before the work is done: DIR may be missing, the folder it is to stand in may not.
 std::filesystem::path outputFolder(const Flags& flags) {
   std::filesystem::path folder = withoutSlash(flags.output);
@@ -65,134 +56,66 @@ std::filesystem::path outputFolder(const Flags& flags) {
   return folder;
 }
 
-/// What the library refuses of a label is said with the label's name and file.
-EvaluationReference referenceOf(const Flags& flags, const EvaluatedLabel& label, const ExecutionContext& context) {
-  try {
-    return {*label.chosen.mask, label.geometry, context};
-  } catch (const ReconstructionError& error) {
-    throw ReconstructionError(flags.segmentation + ", " + label.chosen.name + ": " + error.what());
-  }
+int evaluateOne(const Flags& flags, const ExecutionContext& context) {
+  const LabelToEvaluate label{.segmentation = flags.segmentation,
+                              .reading = readOptions(flags.input),
+                              .choice = flags.choice,
+                              .options = optionsOf(flags),
+                              .folder = outputFolder(flags)};
+  const ThreadLimit limit(flags.threads);
+  return evaluateLabel(label, context) ? kDone : kInterrupted;
 }
 
-/// Makes what the store does not have and keeps it there.
-class Run {
- public:
-  Run(const EvaluatedLabel& label, const EvaluationReference& reference, const ModelStore& store)
-      : label_(label), reference_(reference), store_(store) {}
-
-  void loadKept() {
-    for (std::size_t n = 0; n < recipes_.size(); ++n) {
-      models_[n] = store_.load(recipes_[n]);
-      if (!models_[n]) {
-        missing_.push_back(n);
-      }
-    }
+int evaluateMany(const Flags& flags, const ExecutionContext& context) {
+  CohortToEvaluate cohort{.list = readCohortList(flags.cohort), .options = optionsOf(flags)};
+  if (flags.count) {
+    std::cout << cohort.list.entries.size() << '\n';
+    return kDone;
   }
-  void makeMissing(const ExecutionContext& context) {
-    std::vector<ModelRecipe> recipes;
-    for (const std::size_t place : missing_) {
-      recipes.push_back(recipes_[place]);
-    }
-    makeModels(
-        *label_.chosen.mask, label_.geometry, reference_, recipes, label_.options,
-        [&](std::size_t n, EvaluatedModel model) { take(missing_[n], std::move(model)); }, context);
+  leaveToFlags(cohort.list, flags.choice, flags.input);
+  cohort.folder = outputFolder(flags);
+  if (flags.gather) {
+    return gatherCohort(cohort);
   }
-  /// Once all are there.
-  [[nodiscard]] Evaluation result() const {
-    std::vector<EvaluatedModel> models;
-    for (const std::optional<EvaluatedModel>& model : models_) {
-      models.push_back(*model);
-    }
-    return evaluated(std::move(models));
-  }
-
-  [[nodiscard]] std::size_t all() const { return recipes_.size(); }
-  [[nodiscard]] std::size_t kept() const { return recipes_.size() - missing_.size(); }
-  [[nodiscard]] std::size_t made() const { return made_; }
-
- private:
-  /// The memory is the program's: of the models made until now, which is more than one at a time.
-  void take(std::size_t place, EvaluatedModel model) {
-    {
-      const std::lock_guard lock(mutex_);
-      model.peakMemoryMb = memory_.growthMb();
-    }
-    store_.save(model);
-    models_[place] = std::move(model);
-    ++made_;
-  }
-
-  const EvaluatedLabel& label_;
-  const EvaluationReference& reference_;
-  const ModelStore& store_;
-  const std::vector<ModelRecipe> recipes_ = allRecipes();
-  std::vector<std::optional<EvaluatedModel>> models_ = std::vector<std::optional<EvaluatedModel>>(recipes_.size());
-  std::vector<std::size_t> missing_;
-  std::atomic<std::size_t> made_{0};
-  std::mutex mutex_;
-  PeakMemory memory_;
-};
-
-void writeResults(const std::filesystem::path& folder, const EvaluatedLabel& label, const Evaluation& evaluation) {
-  writeFileAtomically(folder / "models.csv", modelsCsv(evaluation, label.voxelVolumeMl));
-  writeFileAtomically(folder / "summary.json", textOf(summaryJson(label, evaluation)) + "\n");
-  writeFileAtomically(folder / "report.html", evaluationHtml(label, evaluation));
+  const ThreadLimit limit(flags.threads);
+  return flags.alone ? evaluatePatient(cohort, flags.task, context) : evaluateCohort(cohort, context);
 }
 
 int evaluate(const Flags& flags, const ExecutionContext& context) {
-  EvaluatedLabel label;
-  label.options = optionsOf(flags);
-  const ReadOptions options = readOptions(flags.input);
-  const std::filesystem::path folder = outputFolder(flags);
-  const ThreadLimit limit(flags.threads);
-
-  const Segmentation segmentation = readSegmentation(flags.segmentation, options, context.range(0, 0.05));
-  label.file = withoutSlash(flags.segmentation).filename().string();
-  label.chosen = chooseMask(segmentation, flags.choice);
-  label.geometry = segmentation.geometry;
-  const EvaluationReference reference = referenceOf(flags, label, context.range(0.05, 0.1));
-  label.points = reference.pointCount();
-  label.voxelVolumeMl = reference.voxelVolumeMl();
-
-  const ModelStore store(folder / "models", label);
-  store.prepare();
-  Run run(label, reference, store);
-  run.loadKept();
-  try {
-    run.makeMissing(context.range(0.1, 1.0));
-    context.throwIfCancelled();
-  } catch (const Cancelled&) {
-    complain("interrupted; " + std::to_string(run.kept() + run.made()) + " of " + std::to_string(run.all()) +
-             " models are kept in " + store.folder().string() + ", and the same command goes on from there");
-    return kInterrupted;
+  if (flags.segmentation.empty() && flags.cohort.empty()) {
+    throw UsageError("evaluate takes a label map or a folder of masks, or --cohort LIST; name one");
   }
-  const Evaluation evaluation = run.result();
-  if (!evaluation.bounds) {
-    throw CheckFailed(flags.segmentation + ", " + label.chosen.name + ": no model could be made (" +
-                      evaluation.models.front().failure + ")");
+  if (flags.output.empty() && !flags.count) {
+    throw UsageError("--output is missing; name the folder for the results");
   }
-  writeResults(folder, label, evaluation);
-  std::cout << folder.string() << ": " << run.all() << " models of " << label.chosen.name << ", " << run.made() << " made, "
-            << run.kept() << " kept from before, " << evaluation.failed() << " failed\n"
-            << summaryText(evaluation);
-  return kDone;
+  return flags.cohort.empty() ? evaluateOne(flags, context) : evaluateMany(flags, context);
 }
 
 }  // namespace
 
 void addEvaluate(CLI::App& app, Action& chosen) {
   auto flags = std::make_shared<Flags>();
-  auto* command = app.add_subcommand("evaluate", "Compare PSR with MCSD on one structure: the paper's experiment");
-  command->add_option("SEG", flags->segmentation, "Label map or folder of masks")->required();
+  auto* command = app.add_subcommand("evaluate", "Compare PSR with MCSD on one structure, or on one of each of many patients");
+  auto* segmentation = command->add_option("SEG", flags->segmentation, "Label map or folder of masks");
   addMaskChoice(*command, flags->choice);
-  command->add_option("-o,--output", flags->output, "Folder for models.csv, summary.json, report.html; a stopped run goes on there")
-      ->required();
+  command->add_option("-o,--output", flags->output, "Folder for the results; a stopped run goes on there");
+  auto* cohort = command->add_option("--cohort", flags->cohort, "A CSV list of patients, instead of SEG")->excludes(segmentation);
+  auto* task = addInteger(*command, "--task", flags->task, "Evaluate this patient of the list alone, from 1")
+                   ->default_str("")
+                   ->needs(cohort);
+  auto* gather = command->add_flag("--gather", flags->gather, "Evaluate nobody: put together what is there")->needs(cohort);
+  auto* count = command->add_flag("--count", flags->count, "Print how many patients the list has")->needs(cohort);
+  task->excludes(gather)->excludes(count);
+  gather->excludes(count);
   command->add_option("--sampling", flags->sampling, "Samples of PSR: paper or unbiased")->capture_default_str();
   command->add_flag("--as-published", flags->asPublished, "PSR's cube at the authors' scale of 1.25");
   command->add_flag("--best-of-three", flags->bestOfThree, "Time each model three times and keep the quickest, as the paper does");
   addInteger(*command, "--threads", flags->threads, "Threads; 0 is all cores");
   addInputFlags(*command, flags->input);
-  command->callback([flags, &chosen] { chosen = [flags](const ExecutionContext& context) { return evaluate(*flags, context); }; });
+  command->callback([flags, task, &chosen] {
+    flags->alone = task->count() > 0;
+    chosen = [flags](const ExecutionContext& context) { return evaluate(*flags, context); };
+  });
 }
 
 }  // namespace glisson::cli

@@ -14,11 +14,6 @@ constexpr double kLeft = 64;
 constexpr double kRight = kWidth - 16;
 constexpr double kTop = 44;
 
-std::string svg(double height, std::string_view title, const std::string& content) {
-  return "<svg viewBox=\"0 0 " + formatNumber(kWidth, 0) + " " + formatNumber(height, 0) + "\" role=\"img\" aria-label=\"" +
-         escaped(title) + "\">\n" + content + "</svg>\n";
-}
-
 /// Grid lines, numbers and the name of the vertical axis.
 std::string errorAxis(const Axis& axis) {
   std::string content;
@@ -199,7 +194,7 @@ std::string accuracyPlot(const Evaluation& evaluation) {
       content += labels.place(plot.at(*place), std::string(role) + ": " + evaluation.models[*place].name());
     }
   }
-  return svg(kHeight, "Mean error over triangles of all models", content);
+  return svgPicture(kWidth, kHeight, "Mean error over triangles of all models", content);
 }
 
 std::string boxPlots(const Evaluation& evaluation, const std::vector<std::size_t>& places) {
@@ -234,7 +229,7 @@ std::string boxPlots(const Evaluation& evaluation, const std::vector<std::size_t
     content += svgText({x, kBottom + 38}, tickText(static_cast<double>(model.measures->triangles)), "middle", "faint");
   }
   content += svgText({kLeft - 48, kBottom + 38}, "triangles", "start", "faint");
-  return svg(kHeight, "Box plots of the error", content);
+  return svgPicture(kWidth, kHeight, "Box plots of the error", content);
 }
 
 }  // namespace glisson::cli

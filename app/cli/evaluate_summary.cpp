@@ -99,13 +99,17 @@ Json secondsJson(const Evaluation& evaluation) {
 
 }  // namespace
 
+Json parametersJson(const ExperimentOptions& options) {
+  return {{"sampling", options.sampling == Sampling::Paper ? "paper" : "unbiased"},
+          {"scale", options.scale},
+          {"timings", options.timings}};
+}
+
 Json summaryJson(const EvaluatedLabel& label, const Evaluation& evaluation) {
   Json json;
   json["program"] = "glisson " + std::string(glissonVersion());
   json["label"] = labelJson(label);
-  json["parameters"] = {{"sampling", label.options.sampling == Sampling::Paper ? "paper" : "unbiased"},
-                        {"scale", label.options.scale},
-                        {"timings", label.options.timings}};
+  json["parameters"] = parametersJson(label.options);
   json["models"] = evaluation.models.size();
   json["failed"] = failedJson(evaluation);
   json["bounds"] = boundsJson(evaluation);

@@ -8,6 +8,9 @@
 
 namespace glisson::cli {
 
+/// `sampling`, `scale`, `timings`.
+Json parametersJson(const ExperimentOptions& options);
+
 /// What may differ from run to run stands under its last key, "seconds".
 Json summaryJson(const EvaluatedLabel& label, const Evaluation& evaluation);
 

@@ -33,6 +33,7 @@ svg .leader { stroke: var(--faint); } svg .ring { fill: none; stroke: var(--ink)
 svg .psr { fill: var(--psr); } svg .mcsd { fill: var(--mcsd); fill-opacity: .75; } svg .simplified { fill: var(--simplified); }
 svg .front { fill: none; stroke: var(--ink); stroke-width: 1.5; }
 svg .front2 { fill: none; stroke: var(--simplified); stroke-width: 1.5; stroke-dasharray: 6 4; }
+svg .patient { fill: none; stroke: var(--line); stroke-width: 2; }
 svg .box { fill-opacity: .35; stroke: var(--ink); } svg .whisker { stroke: var(--ink); } svg .median { stroke: var(--ink); stroke-width: 2.5; }
 )";
 

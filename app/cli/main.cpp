@@ -55,7 +55,7 @@ int run(const Action& action) {
   } catch (const Error& error) {
     return failed(kInput, error.what());
   } catch (const std::bad_alloc&) {
-    return failed(kInput, "the memory does not suffice; close other programs, lower --depth or crop the input");
+    return failed(kInput, kOutOfMemory);
   } catch (const std::filesystem::filesystem_error& error) {
     return failed(kInput, error.what());
   } catch (const std::exception& error) {

@@ -59,8 +59,13 @@ Measures measure(const Flags& flags, const ExecutionContext& context) {
   if (!flags.reference.empty()) {
     const Segmentation segmentation = readSegmentation(flags.reference, readOptions(flags.input), context);
     const ChosenMask chosen = chooseMask(segmentation, flags.choice);
-    m.paperErrorMm = paperError(m.mesh, *chosen.mask, segmentation.geometry, context);
-    m.voxelErrorMm = voxelError(m.mesh, *chosen.mask, segmentation.geometry, context);
+    try {
+      m.paperErrorMm = paperError(m.mesh, *chosen.mask, segmentation.geometry, context);
+      m.voxelErrorMm = voxelError(m.mesh, *chosen.mask, segmentation.geometry, context);
+    } catch (const ReconstructionError&) {
+      throw ReconstructionError(flags.reference + ", " + chosen.name +
+                                ": there is no surface to measure errors from; choose another");
+    }
   }
   return m;
 }

@@ -62,7 +62,9 @@ double Axis::at(double value) const {
 std::vector<double> Axis::ticks(int wanted) const {
   std::vector<double> values;
   if (logarithmic_) {
-    for (double power = std::pow(10.0, std::floor(std::log10(low_))); power <= high_; power *= 10.0) {
+    const auto last = static_cast<int>(std::floor(std::log10(high_)));
+    for (auto exponent = static_cast<int>(std::floor(std::log10(low_))); exponent <= last; ++exponent) {
+      const double power = std::pow(10.0, exponent);
       for (const double step : {1.0, 2.0, 5.0}) {
         if (step * power >= low_ && step * power <= high_) {
           values.push_back(step * power);
@@ -80,6 +82,11 @@ std::vector<double> Axis::ticks(int wanted) const {
     values.push_back(static_cast<double>(n) * step);
   }
   return values;
+}
+
+std::string svgPicture(double width, double height, std::string_view title, const std::string& content) {
+  return "<svg viewBox=\"0 0 " + formatNumber(width, 0) + " " + formatNumber(height, 0) + "\" role=\"img\" aria-label=\"" +
+         escaped(title) + "\">\n" + content + "</svg>\n";
 }
 
 std::string svgLine(const Pixel& from, const Pixel& to, std::string_view style) { return svgPath({from, to}, style); }

@@ -35,6 +35,9 @@ struct Pixel {
   double y = 0;
 };
 
+/// The picture that holds `content`, as wide as its place; `title` is escaped here.
+std::string svgPicture(double width, double height, std::string_view title, const std::string& content);
+
 /// Elements; `style` is a class of the sheet.
 std::string svgLine(const Pixel& from, const Pixel& to, std::string_view style);
 std::string svgPath(const std::vector<Pixel>& corners, std::string_view style);

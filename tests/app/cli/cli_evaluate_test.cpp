@@ -2,8 +2,7 @@
 
 #include <set>
 
-#include "tests/app/cli/cli_fixture.h"
-#include "tests/reconstruction/evaluation/csv.h"
+#include "tests/app/cli/evaluated_labels.h"
 #include "tests/support/real_data.h"
 
 namespace glisson::test {
@@ -12,33 +11,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Keys = std::vector<std::string>;
 namespace fs = std::filesystem;
-
-/// A MetaImage of `size` voxels of 0.8 x 0.8 x 1.6 mm.
-void writeLabels(const fs::path& file, const std::array<int, 3>& size, const std::string& values) {
-  std::ofstream(file, std::ios::binary)
-      << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n"
-         "Offset = 0 0 0\nElementSpacing = 0.8 0.8 1.6\nDimSize = "
-      << size[0] << ' ' << size[1] << ' ' << size[2] << "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n"
-      << values;
-}
-
-/// Label 1 is an ellipsoid that depth 6 is the deepest for, label 2 a single voxel.
-std::string ellipsoidAndSpeck(const TemporaryFolder& folder) {
-  std::string values;
-  for (int k = 0; k < 18; ++k) {
-    for (int j = 0; j < 36; ++j) {
-      for (int i = 0; i < 44; ++i) {
-        const double x = (i - 21.7) / 18.7;
-        const double y = (j - 17.6) / 15.0;
-        const double z = (k - 8.3) / 6.2;
-        values += x * x + y * y + z * z <= 1 ? '\1' : '\0';
-      }
-    }
-  }
-  values.back() = '\2';
-  writeLabels(folder / "labels.mha", {44, 36, 18}, values);
-  return folder / "labels.mha";
-}
 
 Finished evaluate(const std::string& segmentation, const std::string& output, Keys more = {}) {
   Keys arguments{"evaluate", segmentation, "--labels", "1=tumour,2=cyst", "-o", output};
@@ -49,46 +21,11 @@ Finished evaluate(const std::string& segmentation, const std::string& output, Ke
   return cli(arguments);
 }
 
-/// models.csv without the columns of times and memory.
-std::string repeatable(const fs::path& folder) {
-  const auto rows = readCsv(bytesOf(folder / "models.csv"));
-  const auto end = std::find(rows.front().begin(), rows.front().end(), "seconds") - rows.front().begin();
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::ptrdiff_t column = 0; column < end; ++column) {
-      text += row.at(static_cast<std::size_t>(column)) + ",";
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-std::string summaryWithoutTimes(const fs::path& folder) {
-  Json json = Json::parse(bytesOf(folder / "summary.json"));
-  json.erase("seconds");
-  return json.dump();
-}
-
-std::string reportWithoutTimes(const fs::path& folder) {
-  std::string html = bytesOf(folder / "report.html");
-  const std::size_t from = html.find("<!-- times -->");
-  const std::size_t to = html.find("<!-- end of times -->");
-  EXPECT_NE(from, std::string::npos);
-  EXPECT_GT(to, from);
-  return html.erase(from, to - from);
-}
-
-void expectSameResults(const fs::path& a, const fs::path& b) {
-  EXPECT_EQ(repeatable(a), repeatable(b));
-  EXPECT_EQ(summaryWithoutTimes(a), summaryWithoutTimes(b));
-  EXPECT_EQ(reportWithoutTimes(a), reportWithoutTimes(b));
-}
-
 class CliEvaluate : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<TemporaryFolder>();
-    finished_ = evaluate(ellipsoidAndSpeck(*folder_), *folder_ / "lab");
+    finished_ = evaluate(ellipsoidAndSpeck(*folder_ / "labels.mha"), *folder_ / "lab");
   }
   static void TearDownTestSuite() { folder_.reset(); }
   void SetUp() override { ASSERT_EQ(finished_.exitCode, 0) << finished_.err; }
@@ -257,7 +194,7 @@ TEST_F(CliEvaluate, StoredModelsOfOtherParametersDoNotCount) {
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
   EXPECT_NE(finished.out.find("58 made, 0 kept"), std::string::npos) << finished.out;
   EXPECT_EQ(Json::parse(bytesOf(copy / "summary.json"))["parameters"]["scale"], 1.25);
-  EXPECT_NE(repeatable(copy), repeatable(lab()));
+  EXPECT_NE(modelsWithoutTimes(copy), modelsWithoutTimes(lab()));
 }
 
 TEST_F(CliEvaluate, TextsFromTheInputAreEscapedInTheReport) {
@@ -298,6 +235,13 @@ TEST_F(CliEvaluate, RefusesAnEmptyLabel) {
   const Keys before = namesIn(folder.path());
   expectRefusal(cli({"evaluate", folder / "masks", "--structure", "tumour", "-o", folder / "lab"}), 3, "tumour");
   EXPECT_EQ(namesIn(folder.path()), before);
+}
+
+TEST_F(CliEvaluate, AMeshIsNotMeasuredAgainstALabelWithoutASurface) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "mesh.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const Keys speck{"measure", folder / "mesh.obj", "--reference", labels(), "--labels", "1=tumour,2=cyst", "--label", "2"};
+  expectRefusal(cli(speck), 3, "labels.mha, label 2: there is no surface to measure errors from");
 }
 
 TEST(CliEvaluateInterrupt, KeepsWhatIsDoneAndWritesNoTables) {

@@ -1,0 +1,142 @@
+#include "app/cli/cohort_outcome.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "app/cli/evaluate_summary.h"
+#include "planning/exchange/atomic_file.h"
+#include "planning/exchange/version.h"
+#include "reconstruction/errors.h"
+
+namespace glisson::cli {
+
+namespace {
+
+struct Key {
+  const char* name;
+  double ModelFigures::*number;
+};
+constexpr auto kKeys = std::to_array<Key>({{"triangles", &ModelFigures::triangles},
+                                           {"meanErrorMm", &ModelFigures::meanErrorMm},
+                                           {"score", &ModelFigures::score},
+                                           {"gaussianCurvaturePerMm2", &ModelFigures::gaussianCurvaturePerMm2},
+                                           {"seconds", &ModelFigures::seconds}});
+
+using Chosen = std::optional<ModelFigures>;
+struct ChosenKey {
+  const char* name;
+  Chosen PatientFigures::*model;
+};
+constexpr auto kChosenKeys = std::to_array<ChosenKey>({{"mostSimilarMcsd", &PatientFigures::mostSimilarMcsd},
+                                                       {"bestMcsd", &PatientFigures::bestMcsd},
+                                                       {"bestSimplified", &PatientFigures::bestSimplified}});
+
+Json jsonOf(const ModelFigures& model) {
+  Json json{{"model", model.id}};
+  for (const Key& key : kKeys) {
+    json[key.name] = model.*key.number;
+  }
+  return json;
+}
+
+ModelFigures modelOf(const Json& json) {
+  ModelFigures model;
+  model.id = json.at("model").get<std::string>();
+  for (const Key& key : kKeys) {
+    model.*key.number = json.at(key.name).get<double>();
+  }
+  return model;
+}
+
+Json jsonOf(const PatientFigures& figures) {
+  Json json;
+  json["psr"] = Json::array();
+  for (const auto& [depth, model] : figures.psr) {
+    json["psr"].push_back({{"depth", depth}, {"figures", jsonOf(model)}});
+  }
+  json["bestDepth"] = figures.bestDepth ? Json(*figures.bestDepth) : Json(nullptr);
+  for (const ChosenKey& key : kChosenKeys) {
+    const Chosen& model = figures.*key.model;
+    json[key.name] = model ? jsonOf(*model) : Json(nullptr);
+  }
+  json["failedModels"] = figures.failures;
+  return json;
+}
+
+PatientFigures figuresOf(const Json& json) {
+  PatientFigures figures;
+  for (const Json& model : json.at("psr")) {
+    figures.psr[model.at("depth").get<int>()] = modelOf(model.at("figures"));
+  }
+  if (const Json& depth = json.at("bestDepth"); !depth.is_null() && figures.psr.contains(depth.get<int>())) {
+    figures.bestDepth = depth.get<int>();
+  }
+  for (const ChosenKey& key : kChosenKeys) {
+    if (!json.at(key.name).is_null()) {
+      figures.*key.model = modelOf(json.at(key.name));
+    }
+  }
+  figures.failures = json.at("failedModels").get<std::vector<std::string>>();
+  return figures;
+}
+
+/// What the outcome is of.
+Json subjectOf(const CohortEntry& entry, const ExperimentOptions& options) {
+  return {{"program", "glisson " + std::string(glissonVersion())},
+          {"parameters", parametersJson(options)},
+          {"segmentation", entry.listedSegmentation},
+          {"label", entry.choice.label ? Json(*entry.choice.label) : Json(nullptr)},
+          {"structure", entry.choice.structure},
+          {"labels", entry.input.labels},
+          {"accept", entry.input.accept},
+          {"prefer", entry.input.prefer}};
+}
+
+std::filesystem::path fileOf(const std::filesystem::path& folder, const CohortEntry& entry) {
+  return folder / entry.name / "outcome.json";
+}
+
+}  // namespace
+
+std::optional<PatientOutcome> loadOutcome(const std::filesystem::path& folder, const CohortEntry& entry,
+                                          const ExperimentOptions& options) {
+  const std::filesystem::path file = fileOf(folder, entry);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    return std::nullopt;
+  }
+  try {
+    const Json json = Json::parse(readWholeFile(file));
+    if (textOf(json.at("of")) != textOf(subjectOf(entry, options))) {
+      return std::nullopt;
+    }
+    PatientOutcome outcome;
+    outcome.failure = json.at("failure").get<std::string>();
+    if (outcome.failure.empty()) {
+      outcome.figures = figuresOf(json.at("figures"));
+    }
+    return outcome;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;  // cut off, or not ours: the patient is to be evaluated anew
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+void saveOutcome(const std::filesystem::path& folder, const CohortEntry& entry, const ExperimentOptions& options,
+                 const PatientOutcome& outcome) {
+  const std::filesystem::path file = fileOf(folder, entry);
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  if (error) {
+    throw InputError(file.parent_path().string() + " cannot be made (" + error.message() + "); choose another folder");
+  }
+  Json json;
+  json["of"] = subjectOf(entry, options);
+  json["failure"] = outcome.failure;
+  json["figures"] = outcome.failure.empty() ? jsonOf(outcome.figures) : Json(nullptr);
+  writeFileAtomically(file, textOf(json) + "\n");
+}
+
+}  // namespace glisson::cli

@@ -1,0 +1,47 @@
+#include "reconstruction/evaluation/csv.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace glisson {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+TEST(CsvCells, AreSplitAtTheSeparatorAlone) {
+  EXPECT_EQ(csvCells("a,b;c,", ','), (Cells{"a", "b;c", ""}));
+  EXPECT_EQ(csvCells("a,b;c,", ';'), (Cells{"a,b", "c,"}));
+  EXPECT_EQ(csvCells("", ','), Cells{""});
+  EXPECT_EQ(csvCells(",", ','), (Cells{"", ""}));
+}
+
+TEST(CsvCells, InQuotesMayHoldSeparatorsAndDoubledQuotes) {
+  EXPECT_EQ(csvCells(R"("5=liver,64=vein","say ""a""",)", ','), (Cells{"5=liver,64=vein", "say \"a\"", ""}));
+  EXPECT_EQ(csvCells(R"(6" slices,b)", ','), (Cells{"6\" slices", "b"}));
+}
+
+TEST(CsvCells, WithAnOpenOrMisplacedQuoteAreNone) {
+  EXPECT_EQ(csvCells(R"(a,"b)", ','), std::nullopt);
+  EXPECT_EQ(csvCells(R"("a"b,c)", ','), std::nullopt);
+  EXPECT_EQ(csvCells(R"(")", ','), std::nullopt);
+}
+
+TEST(CsvCells, ComeBackAsTheyWereWritten) {
+  std::mt19937 random(3);
+  const std::string letters = "ab,\" ;'";
+  for (int trial = 0; trial < 500; ++trial) {
+    Cells cells(1 + random() % 4);
+    std::string line;
+    for (std::string& cell : cells) {
+      for (std::size_t n = random() % 6; n > 0; --n) {
+        cell += letters[random() % letters.size()];
+      }
+      line += (&cell == &cells.front() ? "" : ",") + csvCell(cell);
+    }
+    ASSERT_EQ(csvCells(line, ','), cells) << line;
+  }
+}
+
+}  // namespace
+}  // namespace glisson
