@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 
+#include "reconstruction/csv.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -22,17 +23,6 @@ struct Column {
   const char* name;
   std::function<std::string(const Row&)> text;
 };
-
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\r\n") == std::string::npos) {
-    return cell;
-  }
-  std::string text = "\"";
-  for (const char c : cell) {
-    text += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return text + "\"";
-}
 
 std::string numberOf(std::optional<double> value) { return value ? formatExact(*value) : std::string(); }
 
@@ -194,17 +184,13 @@ std::vector<Column> allColumns() {
 
 std::string modelsCsv(const Evaluation& evaluation, double voxelVolumeMl) {
   const std::vector<Column> columns = allColumns();
-  std::string csv;
-  for (const Column& column : columns) {
-    csv += (csv.empty() ? "" : ",") + std::string(column.name);
-  }
-  csv += '\n';
+  std::string csv = csvLine(modelsCsvColumns());
   for (std::size_t n = 0; n < evaluation.models.size(); ++n) {
-    std::string line;
+    std::vector<std::string> cells;
     for (const Column& column : columns) {
-      line += (&column == &columns.front() ? "" : ",") + quoted(column.text({evaluation, n, voxelVolumeMl}));
+      cells.push_back(column.text({evaluation, n, voxelVolumeMl}));
     }
-    csv += line + '\n';
+    csv += csvLine(cells);
   }
   return csv;
 }
