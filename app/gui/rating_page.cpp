@@ -21,10 +21,34 @@ int valueOf(const QKeyEvent& event) {
 
 }  // namespace
 
-RatedSurface ratedSurface(RatedModel model, SurfaceMesh mesh) {
+RatedSurroundings surroundingsOf(const LiverModel& model) {
+  RatedSurroundings surroundings;
+  for (Structure structure : model.structures) {
+    const bool surface = structure.reconstruction && !structure.reconstruction->mesh.empty();
+    if (surface && (isVessel(structure.kind) || isLesion(structure.kind))) {
+      structure.opacity = 1;
+      structure.visible = true;
+      surroundings.ready.push_back(makeDisplayMesh(structure.reconstruction));
+      surroundings.structures.push_back(std::move(structure));
+    }
+  }
+  return surroundings;
+}
+
+RatedSurface ratedSurface(RatedModel model, SurfaceMesh mesh, const RatedSurroundings& surroundings) {
   auto made = std::make_shared<Reconstruction>();
   made->mesh = std::move(mesh);
-  return {std::move(model), made, makeDisplayMesh(made)};
+  Structure structure;
+  structure.id = "model";
+  structure.kind = StructureKind::Liver;
+  structure.colour = kNeutral;
+  structure.reconstruction = made;
+  auto shown = std::make_shared<LiverModel>();
+  shown->structures = surroundings.structures;
+  shown->structures.push_back(std::move(structure));
+  RatedSurface surface{std::move(model), shown, surroundings.ready};
+  surface.ready.push_back(makeDisplayMesh(made));
+  return surface;
 }
 
 QString ratingTag(int value) {
@@ -85,14 +109,7 @@ void RatingPage::retranslateUi() {
 }
 
 void RatingPage::showModel(const RatedSurface& model, const QString& question, std::size_t number, std::size_t total) {
-  Structure structure;
-  structure.id = "model";
-  structure.kind = StructureKind::Liver;
-  structure.colour = kNeutral;
-  structure.reconstruction = model.surface;
-  auto shown = std::make_shared<LiverModel>();
-  shown->structures.push_back(std::move(structure));
-  view_->setModel(shown, {model.ready});
+  view_->setModel(model.shown, model.ready);
   view_->setStandardView(ModelView::StandardView::Anterior);
   question_->setText(question);
   number_ = number;

@@ -1,6 +1,6 @@
 #pragma once
 // Purpose: one model to be rated: the 3D view, the question, five buttons (keys 1 to 5). Shows nothing that tells how the model was
-// made: one grey surface, always in full detail, always seen from anterior first.
+// made: one grey surface in the same surroundings, always in full detail, always seen from anterior first.
 
 #include <QElapsedTimer>
 #include <QWidget>
@@ -16,14 +16,22 @@ class QPushButton;
 
 namespace glisson {
 
-/// A model to be rated with its surface, which is ready to be shown.
+/// What stands around the models of one subject, the same for each of them: vessels and tumours [3.4].
+struct RatedSurroundings {
+  std::vector<Structure> structures;  ///< with surfaces
+  std::vector<std::shared_ptr<const DisplayMesh>> ready;
+};
+/// Those of the structures that have a surface and are vessels or lesions. Any thread.
+RatedSurroundings surroundingsOf(const LiverModel& model);
+
+/// A model to be rated, ready to be shown.
 struct RatedSurface {
   RatedModel model;
-  std::shared_ptr<const Reconstruction> surface;
-  std::shared_ptr<const DisplayMesh> ready;
+  std::shared_ptr<const LiverModel> shown;
+  std::vector<std::shared_ptr<const DisplayMesh>> ready;
 };
 /// Any thread. The mesh is not empty.
-RatedSurface ratedSurface(RatedModel model, SurfaceMesh mesh);
+RatedSurface ratedSurface(RatedModel model, SurfaceMesh mesh, const RatedSurroundings& surroundings = {});
 
 /// "Very low" to "Very high".
 QString ratingTag(int value);

@@ -24,6 +24,7 @@ std::vector<RatedSurface> makeSurfaces(const Case& content, const ExecutionConte
   const Mask& mask = content.liver->liver;
   const ImageGeometry& geometry = content.liver->geometry;
   const std::vector<ModelRecipe> recipes = ratedRecipes();
+  const RatedSurroundings surroundings = surroundingsOf(*content.model);
   std::vector<RatedSurface> surfaces;
   for (std::size_t n = 0; n < recipes.size(); ++n) {
     const auto at = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(recipes.size()); };
@@ -39,7 +40,8 @@ std::vector<RatedSurface> makeSurfaces(const Case& content, const ExecutionConte
       mesh = std::move(made.mesh);
     }
     const std::string method = recipes[n].family == ModelFamily::Mcsd ? "MCSD" : "PSR";
-    surfaces.push_back(ratedSurface({content.code + "/" + modelId(recipes[n]), method, content.code}, std::move(mesh)));
+    surfaces.push_back(
+        ratedSurface({content.code + "/" + modelId(recipes[n]), method, content.code}, std::move(mesh), surroundings));
   }
   return surfaces;
 }

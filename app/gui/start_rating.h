@@ -12,7 +12,8 @@ class QWidget;
 
 namespace glisson {
 
-/// PSR of depth 5 to 8 and MCSD of four strengths, as in the experiment (reconstruction/evaluation/recipe.h). The window is a child
+/// PSR of depth 5 to 8 and MCSD of four strengths, as in the experiment (reconstruction/evaluation/recipe.h), among the vessels and
+/// tumours that have a surface. The window is a child
 /// of `parent`, which outlives the job; sessions are kept in `folder`. `fail` is called where no models can be made.
 void startRating(JobRunner& jobs, const Case& content, const QString& folder, QWidget& parent,
                  std::function<void(const std::exception&)> fail);

@@ -162,7 +162,13 @@ TEST_F(RatingWindowTest, NothingThatIsShownTellsTheMethodOrTheTriangles) {
 
 TEST_F(RatingWindowTest, EqualSurfacesOfTwoMethodsGiveTheSamePictureWhateverWasTurnedBefore) {
   const SurfaceMesh mesh = sphere(Vec3(20, -30, 400), Vec3(60, 45, 40), 12);
-  open({ratedSurface({"a", "Alpha", "P"}, mesh), ratedSurface({"b", "Beta", "P"}, mesh)});
+  const auto tumour = [](StructureKind kind, bool visible) {
+    Structure structure = test::structure("tumour_01", kind, {200, 30, 20}, 0.3, sphere(Vec3(20, -75, 400), Vec3(9, 9, 9)));
+    structure.visible = visible;
+    return structure;
+  };
+  const RatedSurroundings around = surroundingsOf({.structures = {tumour(StructureKind::Tumour, false)}});
+  open({ratedSurface({"a", "Alpha", "P"}, mesh, around), ratedSurface({"b", "Beta", "P"}, mesh, around)});
   enter("A");
   auto* view = find<ModelView>("ratingView");
   const QImage first = view->picture();
@@ -173,6 +179,10 @@ TEST_F(RatingWindowTest, EqualSurfacesOfTwoMethodsGiveTheSamePictureWhateverWasT
   press(3);
   EXPECT_EQ(view->pose(), pose);
   EXPECT_EQ(view->picture(), first);
+  EXPECT_TRUE(surroundingsOf({.structures = {tumour(StructureKind::Liver, true)}}).structures.empty());
+  EXPECT_NE(test::kept(first, "rating_surroundings").pixelColor(first.width() / 2, first.height() / 2).red(),
+            first.pixelColor(first.width() / 2, first.height() / 2).blue())
+      << "the tumour before the grey surface is seen";
 }
 
 TEST_F(RatingWindowTest, APauseStopsTheTimeAndComesBackToTheSameModel) {
