@@ -4537,8 +4537,8 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>Anderer Gutachter...</translation>
     </message>
     <message>
-        <source>Nobody sees results before he has finished.</source>
-        <translation>Niemand sieht Ergebnisse, bevor er fertig ist.</translation>
+        <source>Results are shown after the last model.</source>
+        <translation>Die Ergebnisse erscheinen nach dem letzten Modell.</translation>
     </message>
 </context>
 <context>

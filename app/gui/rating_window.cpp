@@ -27,6 +27,7 @@ namespace {
 
 std::vector<RatedModel> modelsOf(const std::vector<RatedSurface>& surfaces) {
   std::vector<RatedModel> models;
+  models.reserve(surfaces.size());
   for (const RatedSurface& surface : surfaces) {
     models.push_back(surface.model);
   }
@@ -183,7 +184,7 @@ void RatingWindow::retranslateUi() {
   results_->setText(tr("Show results"));
   results_->setEnabled(anyFinished && !goesOn);
   results_->setToolTip(!anyFinished ? tr("No rater has finished yet.")
-                       : goesOn     ? tr("Nobody sees results before he has finished.")
+                       : goesOn     ? tr("Results are shown after the last model.")
                                     : QString());
   kept_->setText(session_ ? tr("Kept after every rating in %1").arg(QDir::toNativeSeparators(path_)) : QString());
   notice_->setText(shownSentence(complaint_));

@@ -187,6 +187,7 @@ std::string modelsCsv(const Evaluation& evaluation, double voxelVolumeMl) {
   std::string csv = csvLine(modelsCsvColumns());
   for (std::size_t n = 0; n < evaluation.models.size(); ++n) {
     std::vector<std::string> cells;
+    cells.reserve(columns.size());
     for (const Column& column : columns) {
       cells.push_back(column.text({evaluation, n, voxelVolumeMl}));
     }

@@ -249,6 +249,8 @@ TEST_F(RatingWindowTest, ASessionOfOtherModelsAndWhatIsNoneIsRefusedAndNothingIs
   dialog->reject();
   EXPECT_TRUE(find<QLabel>("ratingNotice")->isVisible());
   EXPECT_TRUE(find<QLabel>("ratingNotice")->text().contains("is no session of a blind rating (line 1 does not name its columns)"));
+  language.use("de");
+  EXPECT_TRUE(waitFor([&] { return find<QLabel>("ratingNotice")->text().contains("(Zeile 1 nennt die Spalten nicht)"); }));
   EXPECT_FALSE(window->session());
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
@@ -296,7 +298,7 @@ TEST_F(RatingWindowTest, NobodySeesResultsBeforeHeHasFinishedAndOneWhoLeavesMake
   press(1);
   click("ratingPause");
   EXPECT_FALSE(find<QPushButton>("ratingShowResults")->isEnabled());
-  EXPECT_EQ(find<QPushButton>("ratingShowResults")->toolTip(), "Nobody sees results before he has finished.");
+  EXPECT_EQ(find<QPushButton>("ratingShowResults")->toolTip(), "Results are shown after the last model.");
   click("ratingAnother");
   EXPECT_EQ(find<QLabel>("ratingHeading")->text(), "Ben has not finished and takes no part in the results.");
   EXPECT_TRUE(find<QPushButton>("ratingShowResults")->isEnabled());

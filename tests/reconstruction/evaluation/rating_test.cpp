@@ -105,7 +105,7 @@ TEST(RatingOrder, PutsEachModelAtEachPlaceEquallyOften) {
   }
   for (const auto& place : seen) {
     for (const int count : place) {
-      EXPECT_NEAR(count, kSeeds / 4, 170);  // five standard deviations
+      EXPECT_NEAR(count, 0.25 * kSeeds, 170);  // five standard deviations
     }
   }
 }
