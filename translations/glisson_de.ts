@@ -2603,6 +2603,70 @@
         <source>A case holds at most 100 territories of at most 100 points each; point at fewer branches.</source>
         <translation>Ein Fall enthält höchstens 100 Territorien mit je höchstens 100 Punkten; zeigen Sie auf weniger Äste.</translation>
     </message>
+    <message>
+        <source>A rater needs a name; enter one.</source>
+        <translation>Ein Gutachter braucht einen Namen; geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>There is a rater &quot;%1&quot; already; enter another name.</source>
+        <translation>Es gibt schon einen Gutachter „%1“; geben Sie einen anderen Namen ein.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no session of a blind rating (line %2 %3); choose a CSV file that a rating was kept in.</source>
+        <translation>„%1“ ist keine Sitzung einer blinden Beurteilung (Zeile %2 %3); wählen Sie eine CSV-Datei, in der eine Beurteilung gesichert wurde.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no session of a blind rating (its quotes are not closed); choose a CSV file that a rating was kept in.</source>
+        <translation>„%1“ ist keine Sitzung einer blinden Beurteilung (Anführungszeichen sind nicht geschlossen); wählen Sie eine CSV-Datei, in der eine Beurteilung gesichert wurde.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; rates other models than these; open the case and the structure that it was begun with.</source>
+        <translation>„%1“ beurteilt andere Modelle als diese; öffnen Sie den Fall und die Struktur, mit denen die Sitzung begann.</translation>
+    </message>
+    <message>
+        <source>starts a rater whose name is missing or was there before</source>
+        <translation>beginnt einen Gutachter, dessen Name fehlt oder schon vorkam</translation>
+    </message>
+    <message>
+        <source>does not name its columns</source>
+        <translation>nennt die Spalten nicht</translation>
+    </message>
+    <message>
+        <source>has another number of cells</source>
+        <translation>hat eine andere Zahl von Zellen</translation>
+    </message>
+    <message>
+        <source>holds no such number as %1</source>
+        <translation>enthält keine solche Zahl wie %1</translation>
+    </message>
+    <message>
+        <source>names no model, or one that was there before</source>
+        <translation>nennt kein Modell oder eines, das schon vorkam</translation>
+    </message>
+    <message>
+        <source>starts a rater without models</source>
+        <translation>beginnt einen Gutachter ohne Modelle</translation>
+    </message>
+    <message>
+        <source>is missing, or is another rater&apos;s</source>
+        <translation>fehlt oder gehört einem anderen Gutachter</translation>
+    </message>
+    <message>
+        <source>holds a rating outside 1 to 5, or no time beside it</source>
+        <translation>enthält ein Urteil außerhalb von 1 bis 5 oder keine Zeit daneben</translation>
+    </message>
+    <message>
+        <source>holds a rating behind a model that was not rated</source>
+        <translation>enthält ein Urteil hinter einem Modell, das nicht beurteilt wurde</translation>
+    </message>
+    <message>
+        <source>differs from the lines before in %1</source>
+        <translation>weicht von den Zeilen davor ab in %1</translation>
+    </message>
+    <message>
+        <source>does not hold the model that its seed gives</source>
+        <translation>enthält nicht das Modell, das der Startwert (seed) ergibt</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -3670,6 +3734,10 @@
         <source>The case holds neither name, id nor birth date of the patient.</source>
         <translation>Der Fall enthält weder Namen, ID noch Geburtsdatum des Patienten.</translation>
     </message>
+    <message>
+        <source>&amp;Blind rating of models...</source>
+        <translation>&amp;Blinde Beurteilung von Modellen...</translation>
+    </message>
 </context>
 <context>
     <name>glisson::MainWindow</name>
@@ -4259,6 +4327,218 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Plane around a tumour</source>
         <translation>Ebene um einen Tumor</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::RatingPage</name>
+    <message>
+        <source>Very low</source>
+        <translation>Sehr gering</translation>
+    </message>
+    <message>
+        <source>Low</source>
+        <translation>Gering</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Very high</source>
+        <translation>Sehr hoch</translation>
+    </message>
+    <message>
+        <source>Model %1 of %2</source>
+        <translation>Modell %1 von %2</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::RatingPlot</name>
+    <message>
+        <source>%1 ratings</source>
+        <translation>%1 Urteile</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::RatingResultsPage</name>
+    <message>
+        <source>difference %1, t = %2, df = %3, %4</source>
+        <translation>Differenz %1, t = %2, df = %3, %4</translation>
+    </message>
+    <message>
+        <source>Box plot of the ratings by method</source>
+        <translation>Kastengrafik der Urteile nach Verfahren</translation>
+    </message>
+    <message>
+        <source>Welch&apos;s test takes all ratings for independent of each other. Those of one rater are not: where the tests disagree, trust the paired one over the raters.</source>
+        <translation>Der Welch-Test hält alle Urteile für unabhängig voneinander. Die eines Gutachters sind es nicht: Wo die Tests sich widersprechen, gilt der gepaarte über die Gutachter.</translation>
+    </message>
+    <message>
+        <source>The p values are not corrected for the number of comparisons.</source>
+        <translation>Die p-Werte sind nicht für die Zahl der Vergleiche korrigiert.</translation>
+    </message>
+    <message>
+        <source>Save CSV...</source>
+        <translation>CSV speichern...</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>no test: fewer than two values on a side</source>
+        <translation>kein Test: weniger als zwei Werte auf einer Seite</translation>
+    </message>
+    <message>
+        <source>no test: nothing varies</source>
+        <translation>kein Test: nichts streut</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Ratings</source>
+        <translation>Urteile</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>SD</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>%1 less %2</source>
+        <translation>%1 minus %2</translation>
+    </message>
+    <message>
+        <source>Welch&apos;s t-test of all ratings: %1</source>
+        <translation>Welch-t-Test aller Urteile: %1</translation>
+    </message>
+    <message>
+        <source>Paired t-test over the raters&apos; means: %1</source>
+        <translation>Gepaarter t-Test über die Mittel der Gutachter: %1</translation>
+    </message>
+    <message>
+        <source>Paired t-test over the patients by %1 alone: %2</source>
+        <translation>Gepaarter t-Test über die Patienten, nur %1: %2</translation>
+    </message>
+    <message>
+        <source>Raters who have finished: %1. Median time for a rating: %2 s.</source>
+        <translation>Gutachter, die fertig sind: %1. Median der Zeit je Urteil: %2 s.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::RatingWindow</name>
+    <message>
+        <source>Blind rating</source>
+        <translation>Blinde Beurteilung</translation>
+    </message>
+    <message>
+        <source>%1 goes on with model %2 of %3.</source>
+        <translation>%1 macht mit Modell %2 von %3 weiter.</translation>
+    </message>
+    <message>
+        <source>Thank you, %1: all ratings are kept.</source>
+        <translation>Danke, %1: Alle Urteile sind gesichert.</translation>
+    </message>
+    <message>
+        <source>Blind rating of %1 models</source>
+        <translation>Blinde Beurteilung von %1 Modellen</translation>
+    </message>
+    <message>
+        <source>Each rater sees the models one at a time, in a random order, and is not told how they were made. The first %1 are shown twice, and their second rating counts. The mouse turns a model; a button or the keys 1 to 5 rate it and show the next. Take less than a minute for each; a pause stops the time.</source>
+        <translation>Jeder Gutachter sieht die Modelle einzeln in zufälliger Reihenfolge und erfährt nicht, wie sie entstanden sind. Die ersten %1 erscheinen zweimal, und ihr zweites Urteil zählt. Die Maus dreht ein Modell; eine Schaltfläche oder die Tasten 1 bis 5 beurteilen es und zeigen das nächste. Nehmen Sie sich je weniger als eine Minute; eine Pause hält die Zeit an.</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Evaluate the quality of the virtual models (parenchyma) for their use in resection planning and surgery guidance.</source>
+        <translation>Beurteilen Sie die Qualität der virtuellen Modelle (Parenchym) für ihren Einsatz in der Resektionsplanung und zur Führung im Eingriff.</translation>
+    </message>
+    <message>
+        <source>Name of the rater</source>
+        <translation>Name des Gutachters</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Next rater</source>
+        <translation>Nächster Gutachter</translation>
+    </message>
+    <message>
+        <source>Start rating</source>
+        <translation>Beurteilung beginnen</translation>
+    </message>
+    <message>
+        <source>Enter the name of the rater first.</source>
+        <translation>Geben Sie zuerst den Namen des Gutachters ein.</translation>
+    </message>
+    <message>
+        <source>Enter the question first.</source>
+        <translation>Geben Sie zuerst die Frage ein.</translation>
+    </message>
+    <message>
+        <source>Go on with a kept session...</source>
+        <translation>Gesicherte Sitzung fortsetzen...</translation>
+    </message>
+    <message>
+        <source>Show results</source>
+        <translation>Ergebnisse zeigen</translation>
+    </message>
+    <message>
+        <source>No rater has finished yet.</source>
+        <translation>Noch ist kein Gutachter fertig.</translation>
+    </message>
+    <message>
+        <source>Kept after every rating in %1</source>
+        <translation>Nach jedem Urteil gesichert in %1</translation>
+    </message>
+    <message>
+        <source>Kept session</source>
+        <translation>Gesicherte Sitzung</translation>
+    </message>
+    <message>
+        <source>Ratings (*.csv)</source>
+        <translation>Urteile (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the ratings</source>
+        <translation>Urteile speichern</translation>
+    </message>
+    <message>
+        <source>Models for the blind rating</source>
+        <translation>Modelle für die blinde Beurteilung</translation>
+    </message>
+    <message>
+        <source>%1 has not finished and takes no part in the results.</source>
+        <translation>%1 ist nicht fertig und geht nicht in die Ergebnisse ein.</translation>
+    </message>
+    <message>
+        <source>Another rater...</source>
+        <translation>Anderer Gutachter...</translation>
+    </message>
+    <message>
+        <source>Results are shown after the last model.</source>
+        <translation>Die Ergebnisse erscheinen nach dem letzten Modell.</translation>
     </message>
 </context>
 <context>

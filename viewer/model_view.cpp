@@ -106,6 +106,11 @@ void ModelView::setHandlesShown(bool shown) {
   requestRender();
 }
 
+void ModelView::setFullDetail(bool full) {
+  impl_->fullDetail = full;
+  requestRender();
+}
+
 void ModelView::setBending(bool shown, bool group) {
   impl_->bending = shown;
   impl_->bendGroup = group;

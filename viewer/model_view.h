@@ -44,6 +44,9 @@ class ModelView : public VtkWidget {
   void setPlan(ResectionPlan plan, const PlaneChoice& choice = {});
   /// Without handles planes are only looked at. With them is the default.
   void setHandlesShown(bool shown);
+  /// Draws every frame with the full meshes in full resolution, whatever it costs, so that all surfaces are seen alike; where
+  /// OpenGL runs in software large ones then move in jumps. Not so is the default.
+  void setFullDetail(bool full);
   /// Puts the chosen plane there, bent or not; makes a plan of one plane where there is none; nothing: an empty plan.
   void setPlane(const std::optional<ResectionPlane>& plane);
   [[nodiscard]] std::optional<ResectionPlane> plane() const;

@@ -174,6 +174,11 @@ FramePlan ModelView::Impl::planFrame(FrameQuality quality) {
     anyTranslucent = anyTranslucent || actors->translucent();
   }
   FramePlan frame = scene.budget.plan(quality, triangles, anyTranslucent);
+  if (fullDetail) {
+    frame.detail = Detail::Full;
+    frame.scale = 1;
+    frame.smoothEdges = quality != FrameQuality::Moving;
+  }
   std::size_t uploading = 0;
   for (const auto& [id, actors] : structures) {
     Detail detail = frame.detail;

@@ -52,6 +52,7 @@ struct ModelView::Impl {
   std::optional<std::size_t> keyedPoint;  ///< the last one dragged: the one that keys move
   std::optional<PlaneHandle> hovered;
   bool handlesShown = true;
+  bool fullDetail = false;  ///< of moving frames, too
   std::optional<PickTool> pick;
   Pose told;  ///< what cameraMoved() was last about
   std::shared_ptr<const TumourDistance> tumours;

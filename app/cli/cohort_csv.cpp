@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "reconstruction/evaluation/csv.h"
+#include "reconstruction/csv.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
@@ -111,17 +111,17 @@ std::vector<Column> allColumns(const GatheredCohort& cohort) {
 
 std::string cohortCsv(const GatheredCohort& cohort) {
   const std::vector<Column> columns = allColumns(cohort);
-  std::string csv;
+  std::vector<std::string> names;
   for (const Column& column : columns) {
-    csv += (csv.empty() ? "" : ",") + column.name;
+    names.push_back(column.name);
   }
-  csv += '\n';
+  std::string csv = csvLine(names);
   for (const GatheredPatient& patient : cohort.patients) {
-    std::string line;
+    std::vector<std::string> cells;
     for (const Column& column : columns) {
-      line += (&column == &columns.front() ? "" : ",") + csvCell(column.text(patient));
+      cells.push_back(column.text(patient));
     }
-    csv += line + '\n';
+    csv += csvLine(cells);
   }
   return csv;
 }

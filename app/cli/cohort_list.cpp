@@ -7,7 +7,7 @@
 
 #include "planning/exchange/atomic_file.h"
 #include "reconstruction/errors.h"
-#include "reconstruction/evaluation/csv.h"
+#include "reconstruction/csv.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
@@ -80,7 +80,7 @@ class ListReader {
     }
     auto cells = csvCells(line.ends_with('\r') ? line.substr(0, line.size() - 1) : line, separator_);
     if (!cells) {
-      refuse("a quote is not closed, or something follows it; a quoted cell ends with its quote");
+      refuse("a quote is not closed or stands inside a cell; a cell with quotes begins and ends with one and doubles those within");
     }
     std::transform(cells->begin(), cells->end(), cells->begin(), trimmed);
     return std::move(*cells);

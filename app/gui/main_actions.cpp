@@ -138,6 +138,8 @@ void MainActions::makeViewMenu() {
   for (const Preset& preset : kPresets) {
     add(levels, preset.name, preset.name, {}, [this, preset] { window_.setWindowLevel(preset.width, preset.level); });
   }
+  view->addSeparator();
+  needCase_.push_back(add(view, "actionRating", QT_TR_NOOP("&Blind rating of models..."), {}, [this] { window_.rateModels(); }));
 }
 
 void MainActions::makePlaneMenu() {

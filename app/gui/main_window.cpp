@@ -27,6 +27,7 @@
 #include "app/gui/plane_placer.h"
 #include "app/gui/sentences.h"
 #include "app/gui/start_page.h"
+#include "app/gui/start_rating.h"
 #include "app/gui/structure_list.h"
 #include "app/gui/territory_box.h"
 #include "app/gui/title_line.h"
@@ -180,6 +181,11 @@ void MainWindow::bend(bool shown, bool group) {
   } catch (const Error& error) {
     complain(messageOf(error));
   }
+}
+
+void MainWindow::rateModels() {
+  const QString folder = QString::fromStdString((recoveryFolder_.parent_path() / "ratings").string());
+  startRating(jobs_, document_->content(), folder, *this, [this](const std::exception& error) { complain(messageOf(error)); });
 }
 
 void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& file) {

@@ -56,6 +56,8 @@ class MainWindow : public Translated<QMainWindow> {
   void saveReport(bool withIdentity);
   /// Throws InputError where it cannot be written, PlanningError while the numbers are not those of the plan, and as writePdf().
   void writeReport(const QString& path, bool withIdentity = false);
+  /// Makes models of the case's parenchyma by both methods and opens the window in which they are rated.
+  void rateModels();
   void showAbout();
   void showLeftPanel(bool shown);
   void showRightPanel(bool shown);

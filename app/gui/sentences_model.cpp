@@ -141,6 +141,27 @@ constexpr auto kRows = std::to_array<SentenceRow>({
      QT_TRANSLATE_NOOP("Sentence", "more than %1 triangles are kept: with fewer the surface would cross itself or lose a piece")},
     {"sn", QT_TRANSLATE_NOOP("Sentence", "%1, simplified to %2 triangles")},
     {"sn", QT_TRANSLATE_NOOP("Sentence", "%1, simplified to %2 mm")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "A rater needs a name; enter one.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "There is a rater \"%1\" already; enter another name.")},
+    {"fns", QT_TRANSLATE_NOOP("Sentence",
+                              "\"%1\" is no session of a blind rating (line %2 %3); choose a CSV file that a rating was kept in.")},
+    {"", QT_TRANSLATE_NOOP(
+             "Sentence",
+             "\"%1\" is no session of a blind rating (its quotes are not closed); choose a CSV file that a rating was kept in.")},
+    {"", QT_TRANSLATE_NOOP("Sentence",
+                           "\"%1\" rates other models than these; open the case and the structure that it was begun with.")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "starts a rater whose name is missing or was there before")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "does not name its columns")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "has another number of cells")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "is missing")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "holds no such number as %1")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "names no model, or one that was there before")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "starts a rater without models")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "is missing, or is another rater's")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "holds a rating outside 1 to 5, or no time beside it")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "holds a rating behind a model that was not rated")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "differs from the lines before in %1")},
+    {".", QT_TRANSLATE_NOOP("Sentence", "does not hold the model that its seed gives")},
 });
 
 }  // namespace

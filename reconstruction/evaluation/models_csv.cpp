@@ -3,7 +3,7 @@
 #include <array>
 #include <functional>
 
-#include "reconstruction/evaluation/csv.h"
+#include "reconstruction/csv.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -184,17 +184,14 @@ std::vector<Column> allColumns() {
 
 std::string modelsCsv(const Evaluation& evaluation, double voxelVolumeMl) {
   const std::vector<Column> columns = allColumns();
-  std::string csv;
-  for (const Column& column : columns) {
-    csv += (csv.empty() ? "" : ",") + std::string(column.name);
-  }
-  csv += '\n';
+  std::string csv = csvLine(modelsCsvColumns());
   for (std::size_t n = 0; n < evaluation.models.size(); ++n) {
-    std::string line;
+    std::vector<std::string> cells;
+    cells.reserve(columns.size());
     for (const Column& column : columns) {
-      line += (&column == &columns.front() ? "" : ",") + csvCell(column.text({evaluation, n, voxelVolumeMl}));
+      cells.push_back(column.text({evaluation, n, voxelVolumeMl}));
     }
-    csv += line + '\n';
+    csv += csvLine(cells);
   }
   return csv;
 }
