@@ -2,6 +2,8 @@
 #include <atomic>
 #include <iostream>
 #include <mutex>
+#include <set>
+#include <sstream>
 
 #include "app/cli/command.h"
 #include "app/cli/evaluate_html.h"
@@ -12,6 +14,7 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/experiment.h"
 #include "reconstruction/evaluation/models_csv.h"
+#include "reconstruction/methods/methods.h"
 #include "reconstruction/parallel.h"
 
 namespace glisson::cli {
@@ -25,6 +28,7 @@ struct Flags {
   std::string segmentation;
   std::string output;
   std::string sampling = "paper";
+  std::string methods = "all";
   bool asPublished = false;
   bool bestOfThree = false;
   int threads = 0;
@@ -44,6 +48,46 @@ ExperimentOptions optionsOf(const Flags& flags) {
   options.scale = flags.asPublished ? kPublishedScale : options.scale;
   options.timings = flags.bestOfThree ? kPublishedTimings : 1;
   return options;
+}
+
+/// The ids of a comma separated list, all, or none of the listed methods.
+std::set<std::string, std::less<>> otherMethodsOf(const std::string& text) {
+  std::set<std::string, std::less<>> ids;
+  if (text == "none") {
+    return ids;
+  }
+  if (text == "all") {
+    for (const ReconstructionMethod& method : listedMethods()) {
+      ids.insert(method.id);
+    }
+    return ids;
+  }
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    ids.insert(listedMethod(part).id);
+  }
+  if (ids.empty()) {
+    throw UsageError("--methods takes all, none or names of other methods separated by commas, not \"" + text + "\"");
+  }
+  return ids;
+}
+
+/// "psr_knn,mpu,vessels".
+std::string otherMethodsText() {
+  std::string text;
+  for (const ReconstructionMethod& method : listedMethods()) {
+    text += (text.empty() ? "" : ",") + method.id;
+  }
+  return text;
+}
+
+/// Those of the experiment without the methods that are not asked for.
+std::vector<ModelRecipe> recipesOf(const Flags& flags) {
+  const auto methods = otherMethodsOf(flags.methods);
+  std::vector<ModelRecipe> recipes = allRecipes();
+  std::erase_if(recipes,
+                [&](const ModelRecipe& recipe) { return recipe.family == ModelFamily::Other && !methods.contains(recipe.method); });
+  return recipes;
 }
 
 /// "DIR/" is DIR.
@@ -77,8 +121,8 @@ EvaluationReference referenceOf(const Flags& flags, const EvaluatedLabel& label,
 /// Makes what the store does not have and keeps it there.
 class Run {
  public:
-  Run(const EvaluatedLabel& label, const EvaluationReference& reference, const ModelStore& store)
-      : label_(label), reference_(reference), store_(store) {}
+  Run(const EvaluatedLabel& label, const EvaluationReference& reference, const ModelStore& store, std::vector<ModelRecipe> recipes)
+      : label_(label), reference_(reference), store_(store), recipes_(std::move(recipes)) {}
 
   void loadKept() {
     for (std::size_t n = 0; n < recipes_.size(); ++n) {
@@ -125,7 +169,7 @@ class Run {
   const EvaluatedLabel& label_;
   const EvaluationReference& reference_;
   const ModelStore& store_;
-  const std::vector<ModelRecipe> recipes_ = allRecipes();
+  const std::vector<ModelRecipe> recipes_;
   std::vector<std::optional<EvaluatedModel>> models_ = std::vector<std::optional<EvaluatedModel>>(recipes_.size());
   std::vector<std::size_t> missing_;
   std::atomic<std::size_t> made_{0};
@@ -142,6 +186,7 @@ void writeResults(const std::filesystem::path& folder, const EvaluatedLabel& lab
 int evaluate(const Flags& flags, const ExecutionContext& context) {
   EvaluatedLabel label;
   label.options = optionsOf(flags);
+  const std::vector<ModelRecipe> recipes = recipesOf(flags);
   const ReadOptions options = readOptions(flags.input);
   const std::filesystem::path folder = outputFolder(flags);
   const ThreadLimit limit(flags.threads);
@@ -156,7 +201,7 @@ int evaluate(const Flags& flags, const ExecutionContext& context) {
 
   const ModelStore store(folder / "models", label);
   store.prepare();
-  Run run(label, reference, store);
+  Run run(label, reference, store, recipes);
   run.loadKept();
   try {
     run.makeMissing(context.range(0.1, 1.0));
@@ -188,6 +233,8 @@ void addEvaluate(CLI::App& app, Action& chosen) {
   command->add_option("-o,--output", flags->output, "Folder for models.csv, summary.json, report.html; a stopped run goes on there")
       ->required();
   command->add_option("--sampling", flags->sampling, "Samples of PSR: paper or unbiased")->capture_default_str();
+  command->add_option("--methods", flags->methods, "Methods beside PSR and MCSD: all, none or " + otherMethodsText())
+      ->capture_default_str();
   command->add_flag("--as-published", flags->asPublished, "PSR's cube at the authors' scale of 1.25");
   command->add_flag("--best-of-three", flags->bestOfThree, "Time each model three times and keep the quickest, as the paper does");
   addInteger(*command, "--threads", flags->threads, "Threads; 0 is all cores");
