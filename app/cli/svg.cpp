@@ -62,7 +62,8 @@ double Axis::at(double value) const {
 std::vector<double> Axis::ticks(int wanted) const {
   std::vector<double> values;
   if (logarithmic_) {
-    for (double power = std::pow(10.0, std::floor(std::log10(low_))); power <= high_; power *= 10.0) {
+    for (int digits = static_cast<int>(std::floor(std::log10(low_))); std::pow(10.0, digits) <= high_; ++digits) {
+      const double power = std::pow(10.0, digits);
       for (const double step : {1.0, 2.0, 5.0}) {
         if (step * power >= low_ && step * power <= high_) {
           values.push_back(step * power);

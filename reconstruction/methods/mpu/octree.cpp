@@ -76,7 +76,7 @@ Patch Octree::patchOf(const Cell& cell, bool& isLeaf) const {
   const Vec3 up = meanNormal(patch.ball, points);
   const bool turnsOver = std::any_of(places.begin(), places.end(), [&](std::uint32_t n) { return normals_[n].dot(up) <= 0; });
   isLeaf = isEmpty || 0.5 * cell.side < fitting_.leastSideMm;
-  if (turnsOver && places.size() > 2 * kLeastPoints) {
+  if (turnsOver) {
     const std::vector<AuxiliaryPoint> auxiliary = auxiliaryPoints(cell);
     if (!auxiliary.empty()) {
       patch.quadric = fitGeneral(patch.ball, points, auxiliary);

@@ -96,6 +96,24 @@ TEST(Methods, MakeOneClosedOutwardPieceNearTheBall) {
   }
 }
 
+TEST(Methods, OfBodiesOfFewVoxelsAreClosedAndOfTheirSize) {
+  for (const int side : {1, 2, 3}) {
+    const Body cube = bodyWhere({12, 12, 12}, Vec3(0.8, 0.8, 1.6), [side](const Vec3& p) {
+      const Vec3 index = p.cwiseQuotient(Vec3(0.8, 0.8, 1.6));
+      return index.minCoeff() > 3.5 && index.maxCoeff() < 3.5 + side;
+    });
+    const double voxelsMm3 = static_cast<double>(cube.mask.count()) * cube.geometry.voxelVolumeMm3();
+    for (const auto& [method, variant] : allVariants()) {
+      const std::string what = method->id + " " + variant->id + " " + std::to_string(side);
+      const SurfaceMesh mesh = variant->make({cube.mask, cube.geometry}, {}).mesh;
+      EXPECT_EQ(mesh.defects().names(), std::vector<std::string>{}) << what;
+      // The body whose corners are the six faces' centres has a sixth of a voxel's volume.
+      EXPECT_GT(signedVolumeMm3(mesh), (side == 1 ? 0.12 : 0.4) * voxelsMm3) << what;
+      EXPECT_LT(signedVolumeMm3(mesh), 2.5 * voxelsMm3) << what;
+    }
+  }
+}
+
 TEST(Methods, MakeTheSameBytesForAnyNumberOfThreads) {
   const Body body = ball();
   for (const ReconstructionMethod& method : listedMethods()) {
