@@ -5,6 +5,7 @@
 
 #include "reconstruction/errors.h"
 #include "reconstruction/mesh/untangle.h"
+#include "reconstruction/methods/methods.h"
 #include "reconstruction/representation.h"
 #include "reconstruction/text.h"
 
@@ -30,11 +31,25 @@ double take(PoissonResult psr, Reconstruction& made) {
   return psr.cellMm;
 }
 
-void take(McsdResult mcsd, Reconstruction& made) {
+/// Takes over a surface of marching cubes, which has no cells of its own: 0.
+double take(McsdResult mcsd, Reconstruction& made) {
   made.mesh = std::move(mcsd.mesh);
   made.seconds.extract = mcsd.extractSeconds;
   made.seconds.smooth = mcsd.smoothSeconds;
   made.seconds.decimate = mcsd.decimateSeconds;
+  return 0.0;
+}
+
+/// Takes over a listed method's surface; returns the side of its cells.
+double take(MethodSurface surface, Reconstruction& made) {
+  made.mesh = std::move(surface.mesh);
+  made.usedDepth = surface.usedDepth;
+  made.notes = std::move(surface.notes);
+  made.seconds.sample = surface.sampleSeconds;
+  made.seconds.solve = surface.solveSeconds;
+  made.seconds.extract = surface.extractSeconds;
+  made.seconds.simplify = surface.simplifySeconds;
+  return surface.cellMm;
 }
 
 /// Smoothing behind decimation leaves a few triangles that pass through each other; they are moved apart where they are few. Those
@@ -66,21 +81,22 @@ void simplifyMesh(Reconstruction& made, const ExecutionContext& context) {
     made.notes.push_back("more than " + std::to_string(*made.parameters.simplify->triangles) +
                          " triangles are kept: with fewer the surface would cross itself or lose a piece");
   }
-  made.seconds.simplify = watch.seconds();
+  made.seconds.simplify += watch.seconds();
 }
 
-/// What follows the surface, by either method: the last 15 % of a set's progress.
+/// What follows the surface, by any method: the last 15 % of a set's progress.
 void check(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm, std::optional<MaskFacts>& facts,
            Reconstruction& made, const ExecutionContext& context) {
   context.report(0.85, "checks");
   const Stopwatch watch;
+  const double simplifiedBefore = made.seconds.simplify;
   removeSelfIntersections(made, context);
   if (made.parameters.simplify) {
     simplifyMesh(made, context.range(0.88, 0.95));
   }
   context.report(0.95, "checks");
   checkAgainstMask(mask, geometry, kind, psrCellMm, facts, made, context);
-  made.seconds.check = watch.seconds() - made.seconds.simplify;
+  made.seconds.check = watch.seconds() - (made.seconds.simplify - simplifiedBefore);
   context.report(1.0, "checks");
 }
 
@@ -90,6 +106,10 @@ std::string describeMethod(const ReconstructionParameters& p) {
     const std::string text = p.autoDepth ? (paper ? "PSR d=auto paper" : "PSR d=auto unbiased")
                                          : "PSR d=" + std::to_string(p.psr.depth) + (paper ? " paper" : " unbiased");
     return p.psr.pointWeight > 0 ? text + " screened " + formatExact(p.psr.pointWeight) : text;
+  }
+  if (p.method == Method::Listed) {
+    const ReconstructionMethod& method = listedMethod(p.listedMethod);
+    return method.name + " " + variantOf(method, p.listedVariant).name;
   }
   const std::string filter = p.mcsd.filter == SmoothingFilter::Sinc ? "sinc " : "Laplacian ";
   const std::string smoothed = p.mcsd.smoothing == 0 ? "unsmoothed" : filter + std::to_string(p.mcsd.smoothing);
@@ -104,8 +124,11 @@ std::string describeMethod(const ReconstructionParameters& p) {
 void ReconstructionParameters::validate() const {
   if (method == Method::Psr) {
     usedPsr().validate();
-  } else {
+  } else if (method == Method::Mcsd) {
     mcsd.validate();
+  } else {
+    psr.validate();
+    variantOf(glisson::listedMethod(listedMethod), listedVariant);
   }
   if (simplify) {
     simplify->validate();
@@ -148,50 +171,76 @@ Reconstruction reconstruct(const Mask& mask, const ImageGeometry& geometry, Stru
   return made;
 }
 
-void reconstructEach(const Mask& mask, const ImageGeometry& geometry, StructureKind kind,
-                     std::span<const ReconstructionParameters> sets, const ReconstructionVisitor& visit,
-                     const ExecutionContext& context) {
-  std::vector<PoissonParameters> psrSets;
+namespace {
+
+/// The sets of one call, sorted by method.
+struct SetsByMethod {
+  std::vector<PoissonParameters> psr;
   std::vector<std::size_t> psrPlaces;
-  std::vector<McsdParameters> mcsdSets;
+  std::vector<McsdParameters> mcsd;
   std::vector<std::size_t> mcsdPlaces;
+  std::vector<std::size_t> listedPlaces;
+};
+
+SetsByMethod sortedByMethod(std::span<const ReconstructionParameters> sets) {
+  SetsByMethod sorted;
   for (std::size_t n = 0; n < sets.size(); ++n) {
     sets[n].validate();
     if (sets[n].method == Method::Psr) {
-      psrSets.push_back(sets[n].usedPsr());
-      psrPlaces.push_back(n);
+      sorted.psr.push_back(sets[n].usedPsr());
+      sorted.psrPlaces.push_back(n);
+    } else if (sets[n].method == Method::Mcsd) {
+      sorted.mcsd.push_back(sets[n].mcsd);
+      sorted.mcsdPlaces.push_back(n);
     } else {
-      mcsdSets.push_back(sets[n].mcsd);
-      mcsdPlaces.push_back(n);
+      sorted.listedPlaces.push_back(n);
     }
   }
+  return sorted;
+}
+
+}  // namespace
+
+void reconstructEach(const Mask& mask, const ImageGeometry& geometry, StructureKind kind,
+                     std::span<const ReconstructionParameters> sets, const ReconstructionVisitor& visit,
+                     const ExecutionContext& context) {
+  const SetsByMethod sorted = sortedByMethod(sets);
   if (mask.empty()) {
     throw ReconstructionError("The mask is empty, so there is no surface to make; choose another structure.");
   }
   std::optional<MaskFacts> facts;  // of the mask alone: found once for all sets
-  const double psrShare = static_cast<double>(psrSets.size()) / static_cast<double>(sets.size());
-  const auto takePsr = [&](std::size_t n, PoissonResult result, const ExecutionContext& part) {
+  const auto share = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(sets.size()); };
+  const auto finish = [&](std::size_t set, auto result, const ExecutionContext& part) {
     Reconstruction made;
-    made.parameters = sets[psrPlaces[n]];
+    made.parameters = sets[set];
     const double cellMm = take(std::move(result), made);
     check(mask, geometry, kind, cellMm, facts, made, part);
-    visit(psrPlaces[n], std::move(made));
+    visit(set, std::move(made));
   };
-  if (!psrSets.empty()) {
-    reconstructPoissonEach(mask, geometry, psrSets, takePsr, context.range(0.0, psrShare));
+  if (!sorted.psr.empty()) {
+    reconstructPoissonEach(
+        mask, geometry, sorted.psr,
+        [&](std::size_t n, PoissonResult result, const ExecutionContext& part) {
+          finish(sorted.psrPlaces[n], std::move(result), part);
+        },
+        context.range(0.0, share(sorted.psr.size())));
   }
-  const auto takeMcsd = [&](std::size_t n, McsdResult result, const ExecutionContext& part) {
-    Reconstruction made;
-    made.parameters = sets[mcsdPlaces[n]];
-    take(std::move(result), made);
-    check(mask, geometry, kind, 0.0, facts, made, part);
-    visit(mcsdPlaces[n], std::move(made));
-  };
-  if (!mcsdSets.empty()) {
-    if (!facts) {
+  for (std::size_t n = 0; n < sorted.listedPlaces.size(); ++n) {
+    const ExecutionContext part = context.range(share(sorted.psr.size() + n), share(sorted.psr.size() + n + 1));
+    const ReconstructionParameters& set = sets[sorted.listedPlaces[n]];
+    const MethodVariant& variant = variantOf(listedMethod(set.listedMethod), set.listedVariant);
+    finish(sorted.listedPlaces[n], variant.make({mask, geometry, set.psr.sampling, set.psr.scale}, part.range(0.0, 0.85)), part);
+  }
+  if (!sorted.mcsd.empty()) {
+    if (!facts) {  // asked for on several threads
       facts = factsOf(mask, kind, context);
     }
-    sweepMcsd(mask, geometry, mcsdSets, takeMcsd, context.range(psrShare, 1.0));
+    sweepMcsd(
+        mask, geometry, sorted.mcsd,
+        [&](std::size_t n, McsdResult result, const ExecutionContext& part) {
+          finish(sorted.mcsdPlaces[n], std::move(result), part);
+        },
+        context.range(share(sets.size() - sorted.mcsd.size()), 1.0));
   }
 }
 

@@ -15,7 +15,8 @@
 
 namespace glisson {
 
-enum class Method : std::uint8_t { Psr, Mcsd };
+/// Listed: one of listedMethods() (methods/methods.h).
+enum class Method : std::uint8_t { Psr, Mcsd, Listed };
 
 /// The greatest depth of Poisson reconstruction.
 inline constexpr int kDeepestPsr = 10;
@@ -28,13 +29,15 @@ struct ReconstructionParameters {
   PoissonParameters psr;
   bool autoDepth = false;  ///< psr: the deepest up to kDeepestPsr with cells of kAutoCell or more; psr.depth is not looked at
   McsdParameters mcsd;
-  std::optional<SimplifyTarget> simplify;  ///< behind either method
+  std::string listedMethod;                ///< Listed: its id; of `psr` sampling and scale count
+  std::string listedVariant;               ///< Listed: its id, or empty for the usual one
+  std::optional<SimplifyTarget> simplify;  ///< behind any method
 
   void validate() const;
   /// `psr` with the depth to ask for.
   [[nodiscard]] PoissonParameters usedPsr() const;
-  /// "PSR d=7 unbiased", "PSR d=auto unbiased", "MCSD sinc 10 decimation 25 %", "..., simplified to 10000 triangles": for lists and
-  /// reports.
+  /// "PSR d=7 unbiased", "PSR d=auto unbiased", "MCSD sinc 10 decimation 25 %", "MPU implicits eps=0.01", "..., simplified to 10000
+  /// triangles": for lists and reports.
   [[nodiscard]] std::string describe() const;
   /// Parenchyma by PSR d=7 unbiased, the others by MCSD sinc s=10 e=0.25.
   static ReconstructionParameters defaultsFor(StructureKind kind);
@@ -48,7 +51,7 @@ struct Seconds {
 struct Reconstruction {
   SurfaceMesh mesh;
   ReconstructionParameters parameters;
-  int usedDepth = 0;        ///< PSR only
+  int usedDepth = 0;        ///< PSR and what divides a cube likewise; else 0
   std::size_t samples = 0;  ///< PSR only
   MeshDefects defects;
   double meshVolumeMl = 0;  ///< NaN where the mesh is open
@@ -73,7 +76,7 @@ Reconstruction reconstruct(const Mask& mask, const ImageGeometry& geometry, Stru
 using ReconstructionVisitor = std::function<void(std::size_t set, Reconstruction made)>;
 
 /// reconstruct() of every set of parameters, the same meshes. MCSD sets share their stages (sweepMcsd()) and are checked on several
-/// threads; PSR sets are made one after the other. What the visitor has taken is kept no longer.
+/// threads; PSR sets and those of listed methods are made one after the other. What the visitor has taken is kept no longer.
 void reconstructEach(const Mask& mask, const ImageGeometry& geometry, StructureKind kind,
                      std::span<const ReconstructionParameters> sets, const ReconstructionVisitor& visit,
                      const ExecutionContext& context = {});

@@ -2667,6 +2667,58 @@
         <source>does not hold the model that its seed gives</source>
         <translation>enthält nicht das Modell, das der Startwert (seed) ergibt</translation>
     </message>
+    <message>
+        <source>There is no reconstruction method &quot;%1&quot;; choose psr, mcsd, %2.</source>
+        <translation>Es gibt kein Rekonstruktionsverfahren &quot;%1&quot;; psr, mcsd, %2 wählen.</translation>
+    </message>
+    <message>
+        <source>The method %1 has no variant &quot;%2&quot;; choose %3.</source>
+        <translation>Das Verfahren %1 hat keine Variante &quot;%2&quot;; %3 wählen.</translation>
+    </message>
+    <message>
+        <source>PSR, k-NN normals</source>
+        <translation>PSR mit k-NN-Normalen</translation>
+    </message>
+    <message>
+        <source>PSR, k-NN normals d=%1</source>
+        <translation>PSR mit k-NN-Normalen d=%1</translation>
+    </message>
+    <message>
+        <source>Poisson reconstruction with normals from planes fitted to the 10 (or 40) nearest boundary samples, turned outward by the mask.</source>
+        <translation>Poisson-Rekonstruktion mit Normalen aus Ebenen durch die 10 (oder 40) nächsten Randpunkte, von der Maske nach außen gerichtet.</translation>
+    </message>
+    <message>
+        <source>MPU implicits</source>
+        <translation>MPU-Implizitflächen</translation>
+    </message>
+    <message>
+        <source>MPU implicits eps=%1</source>
+        <translation>MPU-Implizitflächen eps=%1</translation>
+    </message>
+    <message>
+        <source>MPU implicits eps=%1 d=%2</source>
+        <translation>MPU-Implizitflächen eps=%1 d=%2</translation>
+    </message>
+    <message>
+        <source>Quadrics fitted in the cells of an octree until they are within a tolerance of the boundary samples, and blended.</source>
+        <translation>Quadriken in den Zellen eines Octrees, bis sie die Randpunkte innerhalb einer Toleranz treffen, stetig überblendet.</translation>
+    </message>
+    <message>
+        <source>Scale-adaptive PSR</source>
+        <translation>Skalenadaptive PSR</translation>
+    </message>
+    <message>
+        <source>Scale-adaptive PSR %1 voxel</source>
+        <translation>Skalenadaptive PSR %1 Voxel</translation>
+    </message>
+    <message>
+        <source>Screened Poisson reconstruction of unbiased samples with cells of 0.8 voxels, then triangles sized by the local curvature.</source>
+        <translation>Poisson-Rekonstruktion mit Punktgewicht aus unverzerrten Punkten mit Zellen von 0,8 Voxeln, dann Dreiecke in der Größe, die die Krümmung zulässt.</translation>
+    </message>
+    <message>
+        <source>PSR, k-NN normals d=%1 k=%2</source>
+        <translation>PSR mit k-NN-Normalen d=%1 k=%2</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>

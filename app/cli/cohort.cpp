@@ -22,6 +22,7 @@ std::optional<PatientOutcome> outcomeOf(const CohortToEvaluate& cohort, const Co
                                 .reading = readOptions(entry.input),
                                 .choice = entry.choice,
                                 .options = cohort.options,
+                                .recipes = cohort.recipes,
                                 .folder = cohort.folder / entry.name};
     const std::optional<Evaluation> evaluation = evaluateLabel(label, context);
     if (!evaluation) {

@@ -3,6 +3,7 @@
 // together in cohort.csv, cohort.json and cohort.html. Patients fail each for itself; the others go on.
 
 #include <filesystem>
+#include <vector>
 
 #include "app/cli/cohort_list.h"
 #include "reconstruction/evaluation/recipe.h"
@@ -12,6 +13,7 @@ namespace glisson::cli {
 struct CohortToEvaluate {
   CohortList list;
   ExperimentOptions options;
+  std::vector<ModelRecipe> recipes = {};
   std::filesystem::path folder = {};  ///< DIR; made where it is missing
 };
 

@@ -3,6 +3,7 @@
 
 #include "app/cli/cohort.h"
 #include "app/cli/evaluate_label.h"
+#include "app/cli/evaluate_methods.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/parallel.h"
 
@@ -22,6 +23,7 @@ struct Flags {
   bool gather = false;
   bool count = false;
   std::string sampling = "paper";
+  std::string methods = "all";
   bool asPublished = false;
   bool bestOfThree = false;
   int threads = 0;
@@ -61,13 +63,15 @@ int evaluateOne(const Flags& flags, const ExecutionContext& context) {
                               .reading = readOptions(flags.input),
                               .choice = flags.choice,
                               .options = optionsOf(flags),
+                              .recipes = recipesOf(flags.methods),
                               .folder = outputFolder(flags)};
   const ThreadLimit limit(flags.threads);
   return evaluateLabel(label, context) ? kDone : kInterrupted;
 }
 
 int evaluateMany(const Flags& flags, const ExecutionContext& context) {
-  CohortToEvaluate cohort{.list = readCohortList(flags.cohort), .options = optionsOf(flags)};
+  CohortToEvaluate cohort{
+      .list = readCohortList(flags.cohort), .options = optionsOf(flags), .recipes = recipesOf(flags.methods)};
   if (flags.count) {
     std::cout << cohort.list.entries.size() << '\n';
     return kDone;
@@ -108,6 +112,8 @@ void addEvaluate(CLI::App& app, Action& chosen) {
   task->excludes(gather)->excludes(count);
   gather->excludes(count);
   command->add_option("--sampling", flags->sampling, "Samples of PSR: paper or unbiased")->capture_default_str();
+  command->add_option("--methods", flags->methods, "Methods beside PSR and MCSD: all, none or " + otherMethodsText())
+      ->capture_default_str();
   command->add_flag("--as-published", flags->asPublished, "PSR's cube at the authors' scale of 1.25");
   command->add_flag("--best-of-three", flags->bestOfThree, "Time each model three times and keep the quickest, as the paper does");
   addInteger(*command, "--threads", flags->threads, "Threads; 0 is all cores");

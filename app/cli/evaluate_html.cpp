@@ -7,6 +7,7 @@
 #include "app/cli/html_table.h"
 #include "app/cli/svg.h"
 #include "planning/exchange/version.h"
+#include "reconstruction/methods/methods.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
@@ -19,6 +20,7 @@ using Place = std::optional<std::size_t>;
 struct Column {
   std::string heading;
   Place place;
+  bool competes = true;  ///< for the best value of a row
 };
 
 std::string threeDecimals(double value) { return formatNumber(value, 3); }
@@ -34,7 +36,10 @@ class Report {
     chosen_ = {{"I best PSR", all_.bestPsr},
                {"II most similar MCSD", all_.mostSimilar},
                {"III best MCSD", all_.bestMcsd},
-               {"best simplified *", all_.bestSimplified}};
+               {"best simplified *", all_.bestSimplified, false}};
+    if (all_.bestOther) {
+      chosen_.push_back({"best other method *", all_.bestOther, false});
+    }
   }
 
   [[nodiscard]] std::string html() const {
@@ -42,7 +47,7 @@ class Report {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +
            "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + std::string(reportSheet()) +
            "</style>\n</head>\n<body>\n<main>\n<h1>" + escaped(title) + "</h1>\n" + facts() + cards() + accuracy() + scores() +
-           comparison() + errors() + curvature() + times() + everything() + notes() + "</main>\n</body>\n</html>\n";
+           comparison() + others() + errors() + curvature() + times() + everything() + notes() + "</main>\n</body>\n</html>\n";
   }
 
  private:
@@ -77,6 +82,7 @@ class Report {
   [[nodiscard]] std::string accuracy() const;
   [[nodiscard]] std::string scores() const;
   [[nodiscard]] std::string comparison() const;
+  [[nodiscard]] std::string others() const;
   [[nodiscard]] std::string errors() const;
   [[nodiscard]] std::string curvature() const;
   [[nodiscard]] std::string times() const;
@@ -86,7 +92,7 @@ class Report {
   const EvaluatedLabel& label_;
   const Evaluation& all_;
   std::vector<Column> psr_;
-  std::vector<Column> chosen_;  ///< those of Table 3, and the best of the third family
+  std::vector<Column> chosen_;  ///< those of Table 3, and the best of the families beside them
 };
 
 std::string timesText(const Index3& size) {
@@ -144,7 +150,11 @@ std::string Report::comparison() const {
   std::vector<TableRow> rows{names(chosen_)};
   const auto add = [&](const std::string& heading, auto value, const auto& text) {
     TableRow made = row(heading, chosen_, value, text);
-    made.cells.back() = {made.cells.back().text};  // the third family does not compete: nothing in its column stands out
+    for (std::size_t n = 0; n < chosen_.size(); ++n) {
+      if (!chosen_[n].competes) {
+        made.cells[n] = {made.cells[n].text};  // nothing in its column stands out
+      }
+    }
     rows.push_back(std::move(made));
   };
   add(
@@ -161,8 +171,42 @@ std::string Report::comparison() const {
       "Objective score", [&](std::size_t n) { return all_.scores[n]->score; }, threeDecimals);
   return htmlSection("Best and most similar models",
                      "As Table 3. Most similar is the MCSD model whose mean Gaussian curvature is nearest to that of the best PSR. "
-                     "* A model of the third family, on the same scale; it takes no part in the comparison.",
+                     "* A model of another family, on the same scale; it takes no part in the comparison.",
                      htmlTable(headings("", chosen_), rows));
+}
+
+std::string Report::others() const {
+  std::vector<TableRow> rows;
+  std::string sources;
+  for (const ReconstructionMethod& method : listedMethods()) {
+    const std::size_t before = rows.size();
+    for (std::size_t n = 0; n < all_.models.size(); ++n) {
+      if (all_.models[n].recipe.method != method.id || !all_.scores[n]) {
+        continue;
+      }
+      const ModelMeasures& m = measuresOf(n);
+      rows.push_back({all_.models[n].name(),
+                      {{tickText(static_cast<double>(m.triangles))},
+                       {threeDecimals(m.paperErrorMm.mean)},
+                       {threeDecimals(m.paperErrorMm.p95)},
+                       {threeDecimals(m.paperErrorMm.max)},
+                       {threeDecimals(m.voxelErrorMm.mean)},
+                       {m.volumeMl ? formatNumber(100.0 * (*m.volumeMl / label_.voxelVolumeMl - 1.0), 2) + " %" : "open"},
+                       {threeDecimals(all_.scores[n]->score)}}});
+    }
+    if (rows.size() > before) {
+      sources += "<p class=\"faint\">" + escaped(method.name + ": " + method.description + " " + method.citation) + "</p>\n";
+    }
+  }
+  if (rows.empty()) {
+    return {};
+  }
+  return htmlSection("Other methods",
+                     "Scored on the scale of PSR and MCSD; they change neither it nor the best models nor the front of those two.",
+                     htmlTable({"", "Triangles", "Mean error (mm)", "95th percentile (mm)", "Greatest error (mm)",
+                                "Mean voxel error (mm)", "Volume", "Objective score"},
+                               rows) +
+                         sources);
 }
 
 std::string Report::errors() const {
@@ -172,7 +216,7 @@ std::string Report::errors() const {
       places.push_back(*column.place);
     }
   }
-  for (const Place& place : {all_.bestMcsd, all_.mostSimilar, all_.bestSimplified}) {
+  for (const Place& place : {all_.bestMcsd, all_.mostSimilar, all_.bestSimplified, all_.bestOther}) {
     if (place && std::find(places.begin(), places.end(), *place) == places.end()) {
       places.push_back(*place);
     }
@@ -269,7 +313,8 @@ std::string Report::notes() const {
       "<p class=\"faint\">PSR uses " + sampling + " sampling and a cube of " + formatNumber(label_.options.scale, 2) +
           " times the label; MCSD decimates first and smooths by the Laplacian filter. Simplified models are the deepest PSR with "
           "a "
-          "share of its triangles; they do not enter the scale, the best models or the front of PSR and MCSD.</p>\n"
+          "share of its triangles; neither they nor other methods' models enter the scale, the best models or the front of PSR and "
+          "MCSD.</p>\n"
           "<p class=\"faint\">R. Palomar, F. A. Cheikh, B. Edwin, A. Beghdadi, O. J. Elle: Surface reconstruction for planning and "
           "navigation of liver resections. Computerized Medical Imaging and Graphics, 2016. Not for clinical use.</p>\n");
 }

@@ -29,8 +29,8 @@ EvaluationReference referenceOf(const std::string& segmentation, const Evaluated
 /// Makes what the store does not have and keeps it there.
 class Run {
  public:
-  Run(const EvaluatedLabel& label, const EvaluationReference& reference, const ModelStore& store)
-      : label_(label), reference_(reference), store_(store) {}
+  Run(const EvaluatedLabel& label, const EvaluationReference& reference, const ModelStore& store, std::vector<ModelRecipe> recipes)
+      : label_(label), reference_(reference), store_(store), recipes_(std::move(recipes)) {}
 
   void loadKept() {
     for (std::size_t n = 0; n < recipes_.size(); ++n) {
@@ -77,7 +77,7 @@ class Run {
   const EvaluatedLabel& label_;
   const EvaluationReference& reference_;
   const ModelStore& store_;
-  const std::vector<ModelRecipe> recipes_ = allRecipes();
+  const std::vector<ModelRecipe> recipes_;
   std::vector<std::optional<EvaluatedModel>> models_ = std::vector<std::optional<EvaluatedModel>>(recipes_.size());
   std::vector<std::size_t> missing_;
   std::atomic<std::size_t> made_{0};
@@ -111,7 +111,7 @@ std::optional<Evaluation> evaluateLabel(const LabelToEvaluate& wanted, const Exe
 
   const ModelStore store(wanted.folder / "models", label);
   store.prepare();
-  Run run(label, reference, store);
+  Run run(label, reference, store, wanted.recipes);
   run.loadKept();
   try {
     run.makeMissing(context.range(0.1, 1.0));

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/choose.h"
 #include "app/cli/command.h"
@@ -16,6 +17,7 @@ struct LabelToEvaluate {
   ReadOptions reading;
   MaskChoice choice;
   ExperimentOptions options;
+  std::vector<ModelRecipe> recipes;
   std::filesystem::path folder;  ///< of the results; made where it is missing
 };
 

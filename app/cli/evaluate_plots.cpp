@@ -1,6 +1,7 @@
 #include "app/cli/evaluate_plots.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "app/cli/svg.h"
 #include "reconstruction/text.h"
@@ -36,9 +37,11 @@ Look lookOf(ModelFamily family) {
     case ModelFamily::Mcsd:
       return {Mark::Circle, "mcsd", "MCSD"};
     case ModelFamily::SimplifiedPsr:
+      return {Mark::Triangle, "simplified", "simplified PSR"};
+    case ModelFamily::Other:
       break;
   }
-  return {Mark::Triangle, "simplified", "simplified PSR (third family)"};
+  return {Mark::Square, "other", "other methods"};
 }
 
 /// Texts beside marks, each in the first place where it covers neither another text nor a mark, or at least no text.
@@ -96,10 +99,10 @@ struct Plot {
     return {triangles.at(static_cast<double>(measures.triangles)), error.at(measures.paperErrorMm.mean)};
   }
   /// A front bounds what no model reaches: from each of its models with that number of triangles to the next.
-  [[nodiscard]] std::string front(bool published, std::string_view style) const {
+  [[nodiscard]] std::string front(const std::function<bool(ModelFamily)>& belongs, std::string_view style) const {
     std::vector<Pixel> marks;
     for (std::size_t n = 0; n < evaluation.models.size(); ++n) {
-      if (isPublished(evaluation.models[n].recipe.family) == published && evaluation.scores[n] && evaluation.scores[n]->pareto) {
+      if (belongs(evaluation.models[n].recipe.family) && evaluation.scores[n] && evaluation.scores[n]->pareto) {
         marks.push_back(at(n));
       }
     }
@@ -125,7 +128,7 @@ std::string legend(const Evaluation& evaluation) {
   std::string content;
   double x = kLeft + 130;
   const double y = kTop - 22;
-  for (const ModelFamily family : {ModelFamily::Psr, ModelFamily::Mcsd, ModelFamily::SimplifiedPsr}) {
+  for (const ModelFamily family : {ModelFamily::Psr, ModelFamily::Mcsd, ModelFamily::SimplifiedPsr, ModelFamily::Other}) {
     const auto belongs = [&](const EvaluatedModel& model) { return model.measures && model.recipe.family == family; };
     if (std::any_of(evaluation.models.begin(), evaluation.models.end(), belongs)) {
       const Look look = lookOf(family);
@@ -133,8 +136,7 @@ std::string legend(const Evaluation& evaluation) {
       x += 44 + 5.8 * static_cast<double>(std::string_view(look.name).size());
     }
   }
-  for (const auto& [style, name] :
-       {std::pair("front", "front of PSR and MCSD"), std::pair("front2", "front of the third family")}) {
+  for (const auto& [style, name] : {std::pair("front", "front of PSR and MCSD"), std::pair("front2", "of simplified PSR")}) {
     content += svgLine({x, y}, {x + 24, y}, style) + svgText({x + 30, y + 4}, name, "start", "tick");
     x += 50 + 6.4 * static_cast<double>(std::string_view(name).size());
   }
@@ -168,9 +170,10 @@ std::string accuracyPlot(const Evaluation& evaluation) {
     }
   }
   content += svgText({kRight, kBottom + 38}, "triangles (logarithmic)", "end", "axis") + legend(evaluation);
-  content += plot.front(true, "front") + plot.front(false, "front2");
+  content += plot.front(isPublished, "front") +
+             plot.front([](ModelFamily family) { return family == ModelFamily::SimplifiedPsr; }, "front2");
   // The many first, so that the few stand on top.
-  for (const ModelFamily family : {ModelFamily::Mcsd, ModelFamily::SimplifiedPsr, ModelFamily::Psr}) {
+  for (const ModelFamily family : {ModelFamily::Mcsd, ModelFamily::Other, ModelFamily::SimplifiedPsr, ModelFamily::Psr}) {
     for (std::size_t n = 0; n < evaluation.models.size(); ++n) {
       if (evaluation.scores[n] && evaluation.models[n].recipe.family == family) {
         const Look look = lookOf(family);
@@ -188,7 +191,8 @@ std::string accuracyPlot(const Evaluation& evaluation) {
   for (const auto& [role, place] : {std::pair("best PSR", evaluation.bestPsr),
                                     {"best MCSD", evaluation.bestMcsd},
                                     {"most similar", evaluation.mostSimilar},
-                                    {"best simplified", evaluation.bestSimplified}}) {
+                                    {"best simplified", evaluation.bestSimplified},
+                                    {"best other", evaluation.bestOther}}) {
     if (place) {
       content += svgMark(Mark::Circle, plot.at(*place), 10, "ring", "");
       content += labels.place(plot.at(*place), std::string(role) + ": " + evaluation.models[*place].name());

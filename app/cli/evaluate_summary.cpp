@@ -1,7 +1,11 @@
 #include "app/cli/evaluate_summary.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "app/cli/table.h"
 #include "planning/exchange/version.h"
+#include "reconstruction/methods/methods.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
@@ -68,15 +72,28 @@ Json boundsJson(const Evaluation& evaluation) {
   return {{"meanErrorMm", {least.errorMm, greatest.errorMm}}, {"triangles", {least.triangles, greatest.triangles}}};
 }
 
-Json frontJson(const Evaluation& evaluation, bool published, bool ModelScore::*mark) {
+/// Of the models whose family belongs to it.
+Json frontJson(const Evaluation& evaluation, bool ModelScore::*mark, const std::function<bool(ModelFamily)>& belongs) {
   Json front = Json::array();
   for (std::size_t n = 0; n < evaluation.models.size(); ++n) {
-    const bool taken = mark == &ModelScore::paretoOfAll || isPublished(evaluation.models[n].recipe.family) == published;
-    if (taken && evaluation.scores[n] && (*evaluation.scores[n]).*mark) {
+    if (belongs(evaluation.models[n].recipe.family) && evaluation.scores[n] && (*evaluation.scores[n]).*mark) {
       front.push_back(modelId(evaluation.models[n].recipe));
     }
   }
   return front;
+}
+
+/// Those that models were made by.
+Json otherMethodsJson(const Evaluation& evaluation) {
+  Json methods = Json::array();
+  for (const ReconstructionMethod& method : listedMethods()) {
+    if (std::any_of(evaluation.models.begin(), evaluation.models.end(),
+                    [&](const EvaluatedModel& model) { return model.recipe.method == method.id; })) {
+      methods.push_back(
+          {{"id", method.id}, {"name", method.name}, {"description", method.description}, {"citation", method.citation}});
+    }
+  }
+  return methods;
 }
 
 Json failedJson(const Evaluation& evaluation) {
@@ -94,7 +111,8 @@ Json secondsJson(const Evaluation& evaluation) {
   return {{"bestPsr", of(evaluation.bestPsr)},
           {"mostSimilarMcsd", of(evaluation.mostSimilar)},
           {"bestMcsd", of(evaluation.bestMcsd)},
-          {"bestSimplified", of(evaluation.bestSimplified)}};
+          {"bestSimplified", of(evaluation.bestSimplified)},
+          {"bestOther", of(evaluation.bestOther)}};
 }
 
 }  // namespace
@@ -118,16 +136,21 @@ Json summaryJson(const EvaluatedLabel& label, const Evaluation& evaluation) {
   json["bestOfAll"] = modelJson(evaluation, evaluation.bestOfAll);
   json["mostSimilarMcsd"] = modelJson(evaluation, evaluation.mostSimilar);
   json["bestSimplified"] = modelJson(evaluation, evaluation.bestSimplified);
-  json["paretoFront"] = frontJson(evaluation, true, &ModelScore::pareto);
-  json["paretoFrontSimplified"] = frontJson(evaluation, false, &ModelScore::pareto);
-  json["paretoFrontOfAll"] = frontJson(evaluation, false, &ModelScore::paretoOfAll);
+  json["bestOther"] = modelJson(evaluation, evaluation.bestOther);
+  const auto only = [](ModelFamily wanted) { return [wanted](ModelFamily family) { return family == wanted; }; };
+  json["paretoFront"] = frontJson(evaluation, &ModelScore::pareto, isPublished);
+  json["paretoFrontSimplified"] = frontJson(evaluation, &ModelScore::pareto, only(ModelFamily::SimplifiedPsr));
+  json["paretoFrontOther"] = frontJson(evaluation, &ModelScore::pareto, only(ModelFamily::Other));
+  json["paretoFrontOfAll"] = frontJson(evaluation, &ModelScore::paretoOfAll, [](ModelFamily /*family*/) { return true; });
+  json["otherMethods"] = otherMethodsJson(evaluation);
   json["reductions"] = {{"mostSimilarMcsd", comparisonJson(evaluation, evaluation.bestPsr, evaluation.mostSimilar)},
                         {"bestMcsd", comparisonJson(evaluation, evaluation.bestPsr, evaluation.bestMcsd)},
                         {"simplified", comparisonJson(evaluation, evaluation.bestSimplified, evaluation.bestPsr)}};
   json["notes"] = {
       "The errors that scores and tables use are the paper error: from all inside-surface voxel centres to the mesh.",
       "There is no true error: it needs an analytic body, and a label map has none.",
-      "Normalisation, best models and paretoFront are of PSR and MCSD alone; simplified models are on the same scale."};
+      "Normalisation, best models and paretoFront are of PSR and MCSD alone; simplified models and those of other methods "
+      "are on the same scale."};
   json["seconds"] = secondsJson(evaluation);
   return json;
 }
@@ -138,7 +161,8 @@ std::string summaryText(const Evaluation& evaluation) {
                                     {"most similar MCSD", evaluation.mostSimilar},
                                     {"best MCSD", evaluation.bestMcsd},
                                     {"best of both", evaluation.bestOfAll},
-                                    {"best simplified", evaluation.bestSimplified}}) {
+                                    {"best simplified", evaluation.bestSimplified},
+                                    {"best other", evaluation.bestOther}}) {
     if (place) {
       const EvaluatedModel& model = evaluation.models[*place];
       rows.push_back({role, model.name(), std::to_string(model.measures->triangles),

@@ -11,7 +11,7 @@ namespace glisson::cli {
 namespace {
 
 constexpr std::string_view kReportSheet = R"(
-:root { color-scheme: light; --ink: #1d2733; --faint: #5d6b7a; --line: #dfe4ea; --psr: #c2361c; --mcsd: #3f74b5; --simplified: #1d8348; }
+:root { color-scheme: light; --ink: #1d2733; --faint: #5d6b7a; --line: #dfe4ea; --psr: #c2361c; --mcsd: #3f74b5; --simplified: #1d8348; --other: #7d3c98; }
 body { margin: 0; background: #f5f7f9; color: var(--ink); font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
 main { max-width: 1120px; margin: 0 auto; padding: 28px 24px 60px; }
 h1 { font-size: 25px; margin: 0 0 2px; } h2 { font-size: 17px; margin: 0 0 4px; }
@@ -31,6 +31,7 @@ svg .tick { fill: var(--ink); } svg .faint { fill: var(--faint); } svg .axis { f
 svg .grid { stroke: var(--line); } svg .label { font-weight: 600; paint-order: stroke; stroke: #fff; stroke-width: 4px; }
 svg .leader { stroke: var(--faint); } svg .ring { fill: none; stroke: var(--ink); stroke-width: 1.5; }
 svg .psr { fill: var(--psr); } svg .mcsd { fill: var(--mcsd); fill-opacity: .75; } svg .simplified { fill: var(--simplified); }
+svg .other { fill: var(--other); }
 svg .front { fill: none; stroke: var(--ink); stroke-width: 1.5; }
 svg .front2 { fill: none; stroke: var(--simplified); stroke-width: 1.5; stroke-dasharray: 6 4; }
 svg .patient { fill: none; stroke: var(--line); stroke-width: 2; }

@@ -6,19 +6,29 @@
 #include <sstream>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/methods/methods.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
 
 namespace {
 
-const std::vector<std::string> kPsrFlags{"--depth", "--sampling", "--point-weight", "--scale"};
-const std::vector<std::string> kMcsdFlags{"--smoothing", "--filter", "--decimation", "--order"};
+/// The flags that only some methods take, and which.
+struct MethodFlags {
+  std::vector<Method> methods;
+  std::vector<std::string> flags;
+};
+const std::vector<MethodFlags> kMethodFlags{{{Method::Psr}, {"--depth", "--point-weight"}},
+                                            {{Method::Psr, Method::Listed}, {"--sampling", "--scale"}},
+                                            {{Method::Mcsd}, {"--smoothing", "--filter", "--decimation", "--order"}},
+                                            {{Method::Listed}, {"--variant"}}};
 
-void refuse(const CLI::App& command, const std::vector<std::string>& names, const std::string& method) {
-  for (const std::string& name : names) {
-    if (command.count(name) > 0) {
-      throw UsageError(name + " has no meaning with --method " + method + "; leave it out");
+void refuseOthersFlags(const CLI::App& command, Method method, const std::string& id) {
+  for (const auto& [methods, flags] : kMethodFlags) {
+    for (const std::string& flag : flags) {
+      if (std::find(methods.begin(), methods.end(), method) == methods.end() && command.count(flag) > 0) {
+        throw UsageError(flag + " has no meaning with --method " + id + "; leave it out");
+      }
     }
   }
 }
@@ -104,6 +114,49 @@ std::vector<ParameterSet> mcsdSets(const ReconstructionParameters& common, const
   return sets;
 }
 
+/// A set per variant, each named in full.
+std::vector<ParameterSet> listedSets(const ReconstructionParameters& common, const ReconstructFlags& flags) {
+  const ReconstructionMethod& method = listedMethod(flags.method);
+  std::vector<std::string> variants{method.usual};
+  if (!flags.variants.empty()) {
+    variants =
+        listOf("--variant", flags.variants, "names of variants", [](const std::string& part) { return std::optional(part); });
+  }
+  std::vector<ParameterSet> sets;
+  for (const std::string& variant : variants) {
+    ParameterSet& set = sets.emplace_back();
+    set.parameters = common;
+    set.parameters.listedMethod = method.id;
+    set.parameters.listedVariant = variant;
+    if (variants.size() > 1) {
+      set.suffix = "_" + variant;
+    }
+  }
+  return sets;
+}
+
+/// "psr (Poisson), ...; psr_knn (...)".
+std::string methodsText() {
+  std::string text = "psr (Poisson), mcsd (marching cubes, smoothing, decimation)";
+  for (const ReconstructionMethod& method : listedMethods()) {
+    text += ", " + method.id + " (" + method.name + ")";
+  }
+  return text;
+}
+
+std::string variantsText() {
+  std::string text = "Other methods: a,b writes OUT_a.ext, OUT_b.ext;";
+  for (const ReconstructionMethod& method : listedMethods()) {
+    text += " " + method.id + ":";
+    for (const MethodVariant& variant : method.variants) {
+      text += " " + variant.id;
+    }
+    text += " (" + method.usual + ");";
+  }
+  text.pop_back();
+  return text;
+}
+
 std::optional<SimplifyTarget> simplifyTargetOf(const std::string& text) {
   if (text.empty()) {
     return std::nullopt;
@@ -124,13 +177,13 @@ std::optional<SimplifyTarget> simplifyTargetOf(const std::string& text) {
 
 void addReconstructFlags(CLI::App& command, ReconstructFlags& flags) {
   PoissonParameters& psr = flags.parameters.psr;
-  command.add_option("--method", flags.method, "psr (Poisson) or mcsd (marching cubes, smoothing, decimation)")
-      ->capture_default_str();
+  command.add_option("--method", flags.method, methodsText())->capture_default_str();
+  command.add_option("--variant", flags.variants, variantsText());
   command.add_option("--depth", flags.depths, "psr: 5 to 10, or auto: from the voxel spacing; a,b writes OUT_da.ext, OUT_db.ext")
       ->capture_default_str();
-  command.add_option("--sampling", flags.sampling, "psr: unbiased or paper")->capture_default_str();
+  command.add_option("--sampling", flags.sampling, "psr and other methods: unbiased or paper")->capture_default_str();
   addNumber(command, "--point-weight", psr.pointWeight, "psr: screening; 0 is none");
-  addNumber(command, "--scale", psr.scale, "psr: cube side over the largest extent");
+  addNumber(command, "--scale", psr.scale, "psr and other methods: cube side over the largest extent");
   command.add_option("--smoothing", flags.smoothings, "mcsd: iterations; a,b writes OUT_sa_e25.ext, OUT_sb_e25.ext")
       ->capture_default_str();
   command.add_option("--filter", flags.filter, "mcsd: sinc or laplacian")->capture_default_str();
@@ -144,8 +197,11 @@ void addReconstructFlags(CLI::App& command, ReconstructFlags& flags) {
 
 std::vector<ParameterSet> parametersOf(const CLI::App& command, const ReconstructFlags& flags) {
   ReconstructionParameters parameters = flags.parameters;
-  parameters.method = oneOf<Method>("--method", flags.method, {{"psr", Method::Psr}, {"mcsd", Method::Mcsd}});
-  refuse(command, parameters.method == Method::Psr ? kMcsdFlags : kPsrFlags, flags.method);
+  parameters.method = flags.method == "psr" ? Method::Psr : flags.method == "mcsd" ? Method::Mcsd : Method::Listed;
+  if (parameters.method == Method::Listed) {
+    listedMethod(flags.method);  // whose flags there is nothing to say of where there is no such method
+  }
+  refuseOthersFlags(command, parameters.method, flags.method);
   parameters.psr.sampling =
       oneOf<Sampling>("--sampling", flags.sampling, {{"unbiased", Sampling::Unbiased}, {"paper", Sampling::Paper}});
   parameters.mcsd.filter = oneOf<SmoothingFilter>("--filter", flags.filter,
@@ -153,8 +209,9 @@ std::vector<ParameterSet> parametersOf(const CLI::App& command, const Reconstruc
   parameters.mcsd.order = oneOf<McsdOrder>(
       "--order", flags.order, {{"decimate-first", McsdOrder::DecimateFirst}, {"smooth-first", McsdOrder::SmoothFirst}});
   parameters.simplify = simplifyTargetOf(flags.simplify);
-  std::vector<ParameterSet> sets =
-      parameters.method == Method::Psr ? psrSets(parameters, flags.depths) : mcsdSets(parameters, flags);
+  std::vector<ParameterSet> sets = parameters.method == Method::Psr    ? psrSets(parameters, flags.depths)
+                                   : parameters.method == Method::Mcsd ? mcsdSets(parameters, flags)
+                                                                       : listedSets(parameters, flags);
   for (const ParameterSet& set : sets) {
     set.parameters.validate();
   }

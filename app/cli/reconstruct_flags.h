@@ -13,6 +13,7 @@ struct ReconstructFlags {
   std::string method = "psr";
   // One value or several, comma separated.
   std::string depths = "7";  ///< numbers or "auto"
+  std::string variants;      ///< ids of a listed method's; empty: its usual one
   std::string smoothings = "10";
   std::string decimations = "0.25";
   std::string sampling = "unbiased";
@@ -28,8 +29,8 @@ struct ParameterSet {
   ReconstructionParameters parameters;
   std::string suffix;
 };
-/// A set per depth (psr), or per decimation and smoothing (mcsd), each validated. Throws UsageError, also where a flag belongs to
-/// the other method.
+/// A set per depth (psr), per decimation and smoothing (mcsd), or per variant (listed methods), each validated. Throws UsageError,
+/// also where a flag belongs to another method.
 std::vector<ParameterSet> parametersOf(const CLI::App& command, const ReconstructFlags& flags);
 
 }  // namespace glisson::cli

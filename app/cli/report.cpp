@@ -38,7 +38,7 @@ Json toJson(const Reconstruction& result, const ReconstructReport& report) {
   json["voxelVolumeMl"] = number(result.voxelVolumeMl);
   json["paperErrorMm"] = toJson(report.paperErrorMm);
   json["voxelErrorMm"] = toJson(report.voxelErrorMm);
-  json["usedDepth"] = result.parameters.method == Method::Psr ? Json(result.usedDepth) : Json(nullptr);
+  json["usedDepth"] = result.usedDepth > 0 ? Json(result.usedDepth) : Json(nullptr);
   json["defects"] = result.defects.names();
   Json notes = result.notes;
   for (const std::string& deviation : result.deviations) {

@@ -112,9 +112,12 @@ std::string svgMark(Mark mark, const Pixel& at, double radius, std::string_view 
            attribute("r", pixels(radius)) + ">" + title + "</circle>\n";
   }
   const double r = 1.25 * radius;
+  const double s = 0.7 * r;
   const std::vector<Pixel> corners =
       mark == Mark::Diamond ? std::vector<Pixel>{{at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}}
-                            : std::vector<Pixel>{{at.x, at.y - r}, {at.x + r, at.y + 0.8 * r}, {at.x - r, at.y + 0.8 * r}};
+      : mark == Mark::Square
+          ? std::vector<Pixel>{{at.x - s, at.y - s}, {at.x + s, at.y - s}, {at.x + s, at.y + s}, {at.x - s, at.y + s}}
+          : std::vector<Pixel>{{at.x, at.y - r}, {at.x + r, at.y + 0.8 * r}, {at.x - r, at.y + 0.8 * r}};
   return "<path" + attribute("class", style) + attribute("d", pathOf(corners) + "Z") + ">" + title + "</path>\n";
 }
 

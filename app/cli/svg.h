@@ -45,7 +45,7 @@ std::string svgRectangle(const Pixel& corner, double width, double height, std::
 /// `anchor` is start, middle or end. `text` is escaped here.
 std::string svgText(const Pixel& at, std::string_view text, std::string_view anchor, std::string_view style);
 
-enum class Mark : std::uint8_t { Circle, Diamond, Triangle };
+enum class Mark : std::uint8_t { Circle, Diamond, Triangle, Square };
 /// With a tooltip, escaped here.
 std::string svgMark(Mark mark, const Pixel& at, double radius, std::string_view style, std::string_view tooltip);
 

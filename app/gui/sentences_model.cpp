@@ -75,6 +75,28 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"n", QT_TRANSLATE_NOOP("Sentence", "PSR d=%1 unbiased")},
     {"", QT_TRANSLATE_NOOP("Sentence", "PSR d=auto paper")},
     {"", QT_TRANSLATE_NOOP("Sentence", "PSR d=auto unbiased")},
+    {"ff", QT_TRANSLATE_NOOP("Sentence", "There is no reconstruction method \"%1\"; choose psr, mcsd, %2.")},
+    {"fff", QT_TRANSLATE_NOOP("Sentence", "The method %1 has no variant \"%2\"; choose %3.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "PSR, k-NN normals")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "PSR, k-NN normals d=%1")},
+    {"nn", QT_TRANSLATE_NOOP("Sentence", "PSR, k-NN normals d=%1 k=%2")},
+    {"", QT_TRANSLATE_NOOP(
+             "Sentence",
+             "Poisson reconstruction with normals from planes fitted to the 10 (or 40) nearest boundary samples, turned outward "
+             "by the mask.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "MPU implicits")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "MPU implicits eps=%1")},
+    {"nn", QT_TRANSLATE_NOOP("Sentence", "MPU implicits eps=%1 d=%2")},
+    {"",
+     QT_TRANSLATE_NOOP("Sentence",
+                       "Quadrics fitted in the cells of an octree until they are within a tolerance of the boundary samples, and "
+                       "blended.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "Scale-adaptive PSR")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "Scale-adaptive PSR %1 voxel")},
+    {"",
+     QT_TRANSLATE_NOOP("Sentence",
+                       "Screened Poisson reconstruction of unbiased samples with cells of 0.8 voxels, then triangles sized by the "
+                       "local curvature.")},
     {"sn", QT_TRANSLATE_NOOP("Sentence", "%1 screened %2")},
     {"sn", QT_TRANSLATE_NOOP("Sentence", "MCSD %1 decimation %2 %")},
     {"", QT_TRANSLATE_NOOP("Sentence", "unsmoothed")},

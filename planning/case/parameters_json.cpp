@@ -32,25 +32,39 @@ std::optional<SimplifyTarget> simplifyFromJson(const Json& json) {
   }
   return target;
 }
+
+/// "psr", "mcsd", or a listed method's id.
+std::string methodId(const ReconstructionParameters& p) {
+  return p.method == Method::Psr ? "psr" : p.method == Method::Mcsd ? "mcsd" : p.listedMethod;
+}
 }  // namespace
 
 Json parametersJson(const ReconstructionParameters& p) {
-  return {{"method", p.method == Method::Psr ? "psr" : "mcsd"},
-          {"depth", p.autoDepth ? Json("auto") : Json(p.psr.depth)},
-          {"sampling", p.psr.sampling == Sampling::Paper ? "paper" : "unbiased"},
-          {"pointWeight", p.psr.pointWeight},
-          {"scale", p.psr.scale},
-          {"smoothing", p.mcsd.smoothing},
-          {"filter", p.mcsd.filter == SmoothingFilter::Sinc ? "sinc" : "laplacian"},
-          {"decimation", p.mcsd.decimation},
-          {"order", p.mcsd.order == McsdOrder::DecimateFirst ? "decimate-first" : "smooth-first"},
-          {"splitNormals", p.mcsd.splitNormals},
-          {"simplify", simplifyJson(p.simplify)}};
+  Json json{{"method", methodId(p)},
+            {"depth", p.autoDepth ? Json("auto") : Json(p.psr.depth)},
+            {"sampling", p.psr.sampling == Sampling::Paper ? "paper" : "unbiased"},
+            {"pointWeight", p.psr.pointWeight},
+            {"scale", p.psr.scale},
+            {"smoothing", p.mcsd.smoothing},
+            {"filter", p.mcsd.filter == SmoothingFilter::Sinc ? "sinc" : "laplacian"},
+            {"decimation", p.mcsd.decimation},
+            {"order", p.mcsd.order == McsdOrder::DecimateFirst ? "decimate-first" : "smooth-first"},
+            {"splitNormals", p.mcsd.splitNormals},
+            {"simplify", simplifyJson(p.simplify)}};
+  if (p.method == Method::Listed) {
+    json["variant"] = p.listedVariant;
+  }
+  return json;
 }
 
 ReconstructionParameters parametersFromJson(const Json& json) {
   ReconstructionParameters p;
-  p.method = json.at("method") == "psr" ? Method::Psr : Method::Mcsd;
+  const std::string method = json.at("method");
+  p.method = method == "psr" ? Method::Psr : method == "mcsd" ? Method::Mcsd : Method::Listed;
+  if (p.method == Method::Listed) {
+    p.listedMethod = method;
+    p.listedVariant = json.at("variant");
+  }
   p.autoDepth = json.at("depth") == "auto";
   if (!p.autoDepth) {
     p.psr.depth = json.at("depth");
@@ -70,6 +84,9 @@ ReconstructionParameters parametersFromJson(const Json& json) {
 
 Json usedParametersJson(const ReconstructionParameters& parameters) {
   const Json all = parametersJson(parameters);
+  if (parameters.method == Method::Listed) {
+    return picked(all, {"method", "variant", "sampling", "scale", "simplify"});
+  }
   return parameters.method == Method::Psr ? picked(all, {"method", "depth", "sampling", "pointWeight", "scale", "simplify"})
                                           : picked(all, {"method", "smoothing", "filter", "decimation", "order", "simplify"});
 }

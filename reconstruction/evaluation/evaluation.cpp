@@ -91,12 +91,15 @@ Evaluation evaluated(std::vector<EvaluatedModel> models) {
   };
   const Places simplified = placesOfFamily(ModelFamily::SimplifiedPsr);
   markFront(evaluation, published, &ModelScore::pareto);
+  const Places others = placesOfFamily(ModelFamily::Other);
   markFront(evaluation, simplified, &ModelScore::pareto);
+  markFront(evaluation, others, &ModelScore::pareto);
   markFront(evaluation, all, &ModelScore::paretoOfAll);
   evaluation.bestPsr = bestOf(evaluation, placesOfFamily(ModelFamily::Psr));
   evaluation.bestMcsd = bestOf(evaluation, placesOfFamily(ModelFamily::Mcsd));
   evaluation.bestOfAll = bestOf(evaluation, published);
   evaluation.bestSimplified = bestOf(evaluation, simplified);
+  evaluation.bestOther = bestOf(evaluation, others);
   if (evaluation.bestPsr) {
     evaluation.mostSimilar = mostSimilarTo(evaluation, *evaluation.bestPsr, placesOfFamily(ModelFamily::Mcsd));
   }

@@ -22,7 +22,7 @@ struct ModelSeconds {
 /// One model as made and measured, or why it could not be.
 struct EvaluatedModel {
   ModelRecipe recipe;
-  int usedDepth = 0;  ///< PSR families; below recipe.depth where the voxels carry no more
+  int usedDepth = 0;  ///< PSR families: below recipe.depth where the voxels carry no more; 0 of methods that have none
   std::optional<ModelMeasures> measures;
   std::string failure;  ///< one sentence where there are no measures
   ModelSeconds seconds;
@@ -35,7 +35,7 @@ struct EvaluatedModel {
 struct ModelScore {
   NormalisedObjectives normalised;
   double score = 0;
-  bool pareto = false;       ///< on the front of its own: the published families together, or the third one
+  bool pareto = false;       ///< on the front of its own: the published families together, the simplified models, or the others
   bool paretoOfAll = false;  ///< on the front of all models
 };
 
@@ -48,7 +48,8 @@ struct Evaluation {
   std::optional<std::size_t> bestMcsd;            ///< C_best [eq. 11]
   std::optional<std::size_t> bestOfAll;           ///< M_best [eq. 12]: of the published models
   std::optional<std::size_t> mostSimilar;         ///< C_sim [eq. 14]: of trimmed K
-  std::optional<std::size_t> bestSimplified;      ///< least score of the third family
+  std::optional<std::size_t> bestSimplified;      ///< least score of the simplified models
+  std::optional<std::size_t> bestOther;           ///< least score of the other methods' models
 
   [[nodiscard]] std::size_t failed() const;
 };

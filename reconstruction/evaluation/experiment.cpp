@@ -7,6 +7,7 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/mesh/sharp_edges.h"
 #include "reconstruction/mesh/simplify.h"
+#include "reconstruction/methods/methods.h"
 #include "reconstruction/parallel.h"
 
 namespace glisson {
@@ -31,6 +32,20 @@ struct Poisson {
   std::string failure;
 };
 
+/// A listed method's surface, or why there is none.
+struct Other {
+  SurfaceMesh mesh;
+  int usedDepth = 0;
+  ModelSeconds seconds;
+  std::string failure;
+};
+
+/// The solver would make a lower depth of it: the same model twice under two names.
+std::string tooSmallFor(int depth, int usedDepth) {
+  return "The label is too small for depth " + std::to_string(depth) + ": depth " + std::to_string(usedDepth) +
+         " is the deepest that its voxels carry.";
+}
+
 class Experiment {
  public:
   Experiment(const Mask& mask, const ImageGeometry& geometry, const EvaluationReference& reference,
@@ -39,9 +54,12 @@ class Experiment {
 
   void makePoisson(const ExecutionContext& context) const;
   void makeMcsd(const ExecutionContext& context) const;
+  void makeOthers(const ExecutionContext& context) const;
 
  private:
-  [[nodiscard]] Places placesOf(bool mcsd) const;
+  [[nodiscard]] Places placesOf(std::initializer_list<ModelFamily> families) const;
+  void makeVariants(const Places& places, const ExecutionContext& context) const;
+  [[nodiscard]] Other otherOf(const ModelRecipe& recipe, const ExecutionContext& context) const;
   [[nodiscard]] Poisson poissonOfDepth(int depth, const ExecutionContext& context) const;
   void finishPoisson(std::size_t place, const Poisson& poisson, const ExecutionContext& context) const;
   /// Or the failure.
@@ -58,10 +76,10 @@ class Experiment {
   const ModelVisitor& visit_;
 };
 
-Places Experiment::placesOf(bool mcsd) const {
+Places Experiment::placesOf(std::initializer_list<ModelFamily> families) const {
   Places places;
   for (std::size_t n = 0; n < recipes_.size(); ++n) {
-    if ((recipes_[n].family == ModelFamily::Mcsd) == mcsd) {
+    if (std::find(families.begin(), families.end(), recipes_[n].family) != families.end()) {
       places.push_back(n);
     }
   }
@@ -103,9 +121,7 @@ void Experiment::finishPoisson(std::size_t place, const Poisson& poisson, const 
   model.failure = poisson.failure;
   const bool simplified = model.recipe.family == ModelFamily::SimplifiedPsr;
   if (model.failure.empty() && !simplified && model.usedDepth != model.recipe.depth) {
-    // The solver would make a lower depth of it: the same model twice under two names.
-    model.failure = "The label is too small for depth " + std::to_string(model.recipe.depth) + ": depth " +
-                    std::to_string(model.usedDepth) + " is the deepest that its voxels carry.";
+    model.failure = tooSmallFor(model.recipe.depth, model.usedDepth);
   }
   const SurfaceMesh* mesh = &poisson.result.mesh;
   SurfaceMesh fewer;
@@ -127,7 +143,7 @@ void Experiment::finishPoisson(std::size_t place, const Poisson& poisson, const 
 }
 
 void Experiment::makePoisson(const ExecutionContext& context) const {
-  Places places = placesOf(false);
+  Places places = placesOf({ModelFamily::Psr, ModelFamily::SimplifiedPsr});
   std::map<int, Poisson> depths;
   for (const std::size_t place : places) {
     const int depth = recipes_[place].depth;
@@ -166,7 +182,7 @@ std::vector<std::optional<ModelSeconds>> Experiment::timedMcsd(std::span<const M
 }
 
 void Experiment::makeMcsd(const ExecutionContext& context) const {
-  const Places places = placesOf(true);
+  const Places places = placesOf({ModelFamily::Mcsd});
   if (places.empty()) {
     return;
   }
@@ -189,16 +205,81 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
   sweepMcsd(mask_, geometry_, sets, take, context.range(timedShare, 1.0));
 }
 
+Other Experiment::otherOf(const ModelRecipe& recipe, const ExecutionContext& context) const {
+  Other made;
+  try {
+    const MethodVariant& variant = variantOf(listedMethod(recipe.method), recipe.variant);
+    std::optional<ModelSeconds> best;
+    for (int run = 0; run < options_.timings; ++run) {
+      MethodSurface surface = variant.make({mask_, geometry_, options_.sampling, options_.scale}, context);
+      keepQuicker(best, {.sample = surface.sampleSeconds,
+                         .solve = surface.solveSeconds,
+                         .extract = surface.extractSeconds,
+                         .simplify = surface.simplifySeconds});
+      made.mesh = std::move(surface.mesh);
+      made.usedDepth = surface.usedDepth;
+    }
+    made.seconds = *best;
+    if (variant.depth != 0 && made.usedDepth != variant.depth) {
+      made.failure = tooSmallFor(variant.depth, made.usedDepth);
+    }
+  } catch (const Error& error) {
+    made.failure = error.what();
+  }
+  return made;
+}
+
+/// The variants of one method: made one after the other, measured several at once.
+void Experiment::makeVariants(const Places& places, const ExecutionContext& context) const {
+  const auto fraction = [&](std::size_t done) { return 0.5 * static_cast<double>(done) / static_cast<double>(places.size()); };
+  std::vector<Other> made;
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    made.push_back(otherOf(recipes_[places[n]], context.range(fraction(n), fraction(n + 1))));
+  }
+  parallelFor(places.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      EvaluatedModel model;
+      model.recipe = recipes_[places[n]];
+      model.usedDepth = made[n].usedDepth;
+      model.seconds = made[n].seconds;
+      model.failure = made[n].failure;
+      if (model.failure.empty()) {
+        measure(made[n].mesh, model, context.range(0.5 + fraction(n), 0.5 + fraction(n + 1)));
+      }
+      visit_(places[n], std::move(model));
+    }
+  });
+}
+
+void Experiment::makeOthers(const ExecutionContext& context) const {
+  const Places places = placesOf({ModelFamily::Other});
+  std::map<std::string, Places> byMethod;
+  for (const std::size_t place : places) {
+    byMethod[recipes_[place].method].push_back(place);
+  }
+  const auto fraction = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(places.size()); };
+  std::size_t done = 0;
+  for (const auto& [method, variants] : byMethod) {
+    makeVariants(variants, context.range(fraction(done), fraction(done + variants.size())));
+    done += variants.size();
+  }
+}
+
 }  // namespace
 
 void makeModels(const Mask& mask, const ImageGeometry& geometry, const EvaluationReference& reference,
                 std::span<const ModelRecipe> recipes, const ExperimentOptions& options, const ModelVisitor& visit,
                 const ExecutionContext& context) {
-  constexpr double kPoissonShare = 0.15;
   options.validate();
   const Experiment experiment(mask, geometry, reference, recipes, options, visit);
-  experiment.makePoisson(context.range(0.0, kPoissonShare));
-  experiment.makeMcsd(context.range(kPoissonShare, 1.0));
+  // About what each group takes of a liver.
+  const bool others =
+      std::any_of(recipes.begin(), recipes.end(), [](const ModelRecipe& r) { return r.family == ModelFamily::Other; });
+  const double poissonEnd = others ? 0.1 : 0.15;
+  const double mcsdEnd = others ? 0.6 : 1.0;
+  experiment.makePoisson(context.range(0.0, poissonEnd));
+  experiment.makeMcsd(context.range(poissonEnd, mcsdEnd));
+  experiment.makeOthers(context.range(mcsdEnd, 1.0));
 }
 
 }  // namespace glisson

@@ -53,7 +53,7 @@ Column seconds(const char* name, double ModelSeconds::*stage) {
 }
 
 bool isMcsd(ModelFamily family) { return family == ModelFamily::Mcsd; }
-bool isPoisson(ModelFamily family) { return family != ModelFamily::Mcsd; }
+bool isPoisson(ModelFamily family) { return family == ModelFamily::Psr || family == ModelFamily::SimplifiedPsr; }
 bool isSimplified(ModelFamily family) { return family == ModelFamily::SimplifiedPsr; }
 
 /// "bestPsr bestOfAll": what the formulas chose this model for.
@@ -64,7 +64,8 @@ std::string rolesOf(const Row& row) {
                                     {"bestMcsd", all.bestMcsd},
                                     {"bestOfAll", all.bestOfAll},
                                     {"mostSimilar", all.mostSimilar},
-                                    {"bestSimplified", all.bestSimplified}}) {
+                                    {"bestSimplified", all.bestSimplified},
+                                    {"bestOther", all.bestOther}}) {
     if (place == row.place) {
       roles += (roles.empty() ? "" : " ") + std::string(role);
     }
@@ -97,7 +98,7 @@ using Number = std::optional<double>;
 
 std::vector<Column> recipeColumns() {
   return {text("family", [](const Row& row) { return std::string(familyId(row.model().recipe.family)); }),
-          text("method", [](const Row& row) { return std::string(methodId(row.model().recipe.family)); }),
+          text("method", [](const Row& row) { return std::string(methodId(row.model().recipe)); }),
           parameter("depth", &ModelRecipe::depth, isPoisson),
           parameter("smoothing", &ModelRecipe::smoothing, isMcsd),
           {"decimation",
@@ -106,6 +107,7 @@ std::vector<Column> recipeColumns() {
              return isMcsd(recipe.family) ? formatExact(recipe.decimationPercent / 100.0) : std::string();
            }},
           parameter("divisor", &ModelRecipe::divisor, isSimplified),
+          text("variant", [](const Row& row) { return row.model().recipe.variant; }),
           text("model", [](const Row& row) { return modelId(row.model().recipe); }),
           {"usedDepth", [](const Row& row) { return row.model().usedDepth > 0 ? std::to_string(row.model().usedDepth) : ""; }}};
 }

@@ -1,6 +1,7 @@
 #include "reconstruction/evaluation/recipe.h"
 
 #include "reconstruction/errors.h"
+#include "reconstruction/methods/methods.h"
 
 namespace glisson {
 
@@ -24,14 +25,36 @@ std::vector<ModelRecipe> allRecipes() {
   for (const int divisor : {4, 16, 32, 64}) {
     recipes.push_back({.family = ModelFamily::SimplifiedPsr, .depth = kDeepestPublished, .divisor = divisor});
   }
+  for (const ReconstructionMethod& method : listedMethods()) {
+    for (const MethodVariant& variant : method.variants) {
+      recipes.push_back({.family = ModelFamily::Other, .method = method.id, .variant = variant.id});
+    }
+  }
   return recipes;
 }
 
-bool isPublished(ModelFamily family) { return family != ModelFamily::SimplifiedPsr; }
+bool isPublished(ModelFamily family) { return family == ModelFamily::Psr || family == ModelFamily::Mcsd; }
 
-std::string_view familyId(ModelFamily family) { return family == ModelFamily::SimplifiedPsr ? "simplified" : methodId(family); }
+std::string_view familyId(ModelFamily family) {
+  switch (family) {
+    case ModelFamily::Psr:
+      return "psr";
+    case ModelFamily::Mcsd:
+      return "mcsd";
+    case ModelFamily::SimplifiedPsr:
+      return "simplified";
+    case ModelFamily::Other:
+      break;
+  }
+  return "other";
+}
 
-std::string_view methodId(ModelFamily family) { return family == ModelFamily::Mcsd ? "mcsd" : "psr"; }
+std::string_view methodId(const ModelRecipe& recipe) {
+  if (recipe.family == ModelFamily::Other) {
+    return recipe.method;
+  }
+  return recipe.family == ModelFamily::Mcsd ? "mcsd" : "psr";
+}
 
 std::string modelId(const ModelRecipe& recipe) {
   const std::string family(familyId(recipe.family));
@@ -41,9 +64,11 @@ std::string modelId(const ModelRecipe& recipe) {
     case ModelFamily::Mcsd:
       return family + "_s" + std::to_string(recipe.smoothing) + "_e" + std::to_string(recipe.decimationPercent);
     case ModelFamily::SimplifiedPsr:
+      return family + "_" + std::to_string(recipe.divisor);
+    case ModelFamily::Other:
       break;
   }
-  return family + "_" + std::to_string(recipe.divisor);
+  return recipe.method + "_" + recipe.variant;
 }
 
 std::string modelName(const ModelRecipe& recipe) {
@@ -53,9 +78,12 @@ std::string modelName(const ModelRecipe& recipe) {
     case ModelFamily::Mcsd:
       return "MCSD s=" + std::to_string(recipe.smoothing) + " e=" + std::to_string(recipe.decimationPercent) + " %";
     case ModelFamily::SimplifiedPsr:
+      return "PSR d=" + std::to_string(recipe.depth) + ", 1/" + std::to_string(recipe.divisor);
+    case ModelFamily::Other:
       break;
   }
-  return "PSR d=" + std::to_string(recipe.depth) + ", 1/" + std::to_string(recipe.divisor);
+  const ReconstructionMethod& method = listedMethod(recipe.method);
+  return method.name + " " + variantOf(method, recipe.variant).name;
 }
 
 PoissonParameters poissonOf(const ModelRecipe& recipe, const ExperimentOptions& options) {

@@ -1,6 +1,6 @@
 #pragma once
-// Purpose: which models the paper's experiment makes of one label [Palomar 2016, 2.3 and 4.1; method.md 3 and 4], and a third
-// family beside them.
+// Purpose: which models the paper's experiment makes of one label [Palomar 2016, 2.3 and 4.1; method.md 3 and 4], and two
+// families beside them: simplified ones, and those of other methods (methods/methods.h).
 
 #include <cstdint>
 #include <span>
@@ -14,7 +14,7 @@
 namespace glisson {
 
 /// Psr and Mcsd are the published families: normalisation, the best models and the published front are theirs alone.
-enum class ModelFamily : std::uint8_t { Psr, Mcsd, SimplifiedPsr };
+enum class ModelFamily : std::uint8_t { Psr, Mcsd, SimplifiedPsr, Other };
 
 inline constexpr int kDeepestPublished = 8;  ///< the greatest depth of the experiment, and the one that is simplified
 
@@ -25,6 +25,8 @@ struct ModelRecipe {
   int smoothing = 0;          ///< Mcsd: iterations of the Laplacian filter
   int decimationPercent = 0;  ///< Mcsd: triangles to remove, before the smoothing
   int divisor = 1;            ///< SimplifiedPsr: one of so many triangles is kept
+  std::string method = {};    ///< Other: id of a listed method
+  std::string variant = {};   ///< Other: id of one of its variants
 
   bool operator==(const ModelRecipe&) const = default;
 };
@@ -41,18 +43,18 @@ struct ExperimentOptions {
 
 /// In this order: PSR of depth 5 to 8, the 50 MCSD models (s = 0, 22, 45, 67, 90, each with e = 0, 10 .. 90 %), and PSR of depth 8
 /// simplified to 1/4, 1/16, 1/32 and 1/64 of its triangles. A depth less has a quarter of the triangles, so the shares stand about
-/// where depth 7, 6 and 5 do, and one between the last two, whatever the label's size.
+/// where depth 7, 6 and 5 do, and one between the last two, whatever the label's size. Then every variant of the listed methods.
 std::vector<ModelRecipe> allRecipes();
 /// Psr and Mcsd.
 bool isPublished(ModelFamily family);
 
-/// "psr", "mcsd", "simplified": for files.
+/// "psr", "mcsd", "simplified", "other": for files.
 std::string_view familyId(ModelFamily family);
-/// "psr", "mcsd": what made the surface.
-std::string_view methodId(ModelFamily family);
-/// "psr_d7", "mcsd_s22_e90", "simplified_16": one for each recipe, for files.
+/// "psr", "mcsd", or a listed method's id: what made the surface.
+std::string_view methodId(const ModelRecipe& recipe);
+/// "psr_d7", "mcsd_s22_e90", "simplified_16", "mpu_e0.01": one for each recipe, for files.
 std::string modelId(const ModelRecipe& recipe);
-/// "PSR d=7", "MCSD s=22 e=90 %", "PSR d=8, 1/16": for people.
+/// "PSR d=7", "MCSD s=22 e=90 %", "PSR d=8, 1/16", "MPU implicits eps=0.01": for people.
 std::string modelName(const ModelRecipe& recipe);
 
 PoissonParameters poissonOf(const ModelRecipe& recipe, const ExperimentOptions& options);

@@ -33,8 +33,26 @@ poisson::CubeSamples cubeSamplesOf(const OrientedPoints& points, const ImageGeom
   return samples;
 }
 
-PoissonResult reconstructFrom(const OrientedPoints& points, const ImageGeometry& geometry, const PoissonParameters& parameters,
-                              const ExecutionContext& context) {
+}  // namespace
+
+void PoissonParameters::validate() const {
+  if (depth < 5 || depth > 10) {
+    throw UsageError("The depth must lie between 5 and 10, not " + std::to_string(depth) + ".");
+  }
+  if (!(pointWeight >= 0) || !std::isfinite(pointWeight)) {
+    throw UsageError("The point weight must be a number of 0 or more.");
+  }
+  if (!(scale > 1.0 && scale <= 4.0)) {
+    throw UsageError("The scale must be above 1 and at most 4, not " + formatNumber(scale, 3) + ".");
+  }
+  if (!(finestCell >= 0.5) || !std::isfinite(finestCell)) {
+    throw std::invalid_argument("PoissonParameters::finestCell is below half a voxel");
+  }
+}
+
+PoissonResult reconstructPoisson(const OrientedPoints& points, const ImageGeometry& geometry, const PoissonParameters& parameters,
+                                 const ExecutionContext& context) {
+  parameters.validate();
   PoissonResult result;
   auto start = Clock::now();
   const poisson::Frame frame = poisson::chooseFrame(points, geometry, parameters);
@@ -65,23 +83,6 @@ PoissonResult reconstructFrom(const OrientedPoints& points, const ImageGeometry&
   return result;
 }
 
-}  // namespace
-
-void PoissonParameters::validate() const {
-  if (depth < 5 || depth > 10) {
-    throw UsageError("The depth must lie between 5 and 10, not " + std::to_string(depth) + ".");
-  }
-  if (!(pointWeight >= 0) || !std::isfinite(pointWeight)) {
-    throw UsageError("The point weight must be a number of 0 or more.");
-  }
-  if (!(scale > 1.0 && scale <= 4.0)) {
-    throw UsageError("The scale must be above 1 and at most 4, not " + formatNumber(scale, 3) + ".");
-  }
-  if (!(finestCell >= 0.5) || !std::isfinite(finestCell)) {
-    throw std::invalid_argument("PoissonParameters::finestCell is below half a voxel");
-  }
-}
-
 void reconstructPoissonEach(const Mask& mask, const ImageGeometry& geometry, std::span<const PoissonParameters> sets,
                             const PoissonVisitor& finished, const ExecutionContext& context) {
   const auto costOf = [](const PoissonParameters& set) {
@@ -106,7 +107,7 @@ void reconstructPoissonEach(const Mask& mask, const ImageGeometry& geometry, std
       found = sampled.emplace(sets[n].sampling, sampleBoundary(mask, geometry, sets[n].sampling, part)).first;
     }
     const double sampleSeconds = secondsSince(start);
-    PoissonResult result = reconstructFrom(found->second, geometry, sets[n], part.range(kSampled, kSolved));
+    PoissonResult result = reconstructPoisson(found->second, geometry, sets[n], part.range(kSampled, kSolved));
     result.sampleSeconds += sampleSeconds;
     finished(n, std::move(result), part);
     from = to;

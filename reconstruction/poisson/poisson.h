@@ -36,6 +36,11 @@ struct PoissonResult {
 PoissonResult reconstructPoisson(const Mask& mask, const ImageGeometry& geometry, const PoissonParameters& parameters,
                                  const ExecutionContext& context = {});
 
+/// The same from points that are there already, sampled of a mask on `geometry` as parameters.sampling says; their normals and
+/// weights are taken as they are.
+PoissonResult reconstructPoisson(const OrientedPoints& points, const ImageGeometry& geometry, const PoissonParameters& parameters,
+                                 const ExecutionContext& context = {});
+
 /// Takes the result of set number `set`; `part` is the set's share of the progress, of which 0.85 is done.
 using PoissonVisitor = std::function<void(std::size_t set, PoissonResult result, const ExecutionContext& part)>;
 

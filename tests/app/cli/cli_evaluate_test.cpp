@@ -52,14 +52,14 @@ TEST_F(CliEvaluate, WritesARowForEachOfThePapersModelsAndTheThirdFamily) {
     EXPECT_LE(std::stod(row.at("p95ErrorMm")), std::stod(row.at("maxErrorMm")));
     EXPECT_LE(std::stod(row.at("lowQuartileErrorMm")), std::stod(row.at("highQuartileErrorMm")));
     EXPECT_TRUE(row.at("pareto") == "0" || row.at("pareto") == "1");
-    if (row.at("family") != "simplified") {
+    if (row.at("family") == "psr" || row.at("family") == "mcsd") {
       EXPECT_GE(std::stod(row.at("normalisedError")), 0);
       EXPECT_LE(std::stod(row.at("normalisedError")), 1);
       EXPECT_GE(std::stod(row.at("normalisedTriangles")), 0);
       EXPECT_LE(std::stod(row.at("normalisedTriangles")), 1);
     }
   }
-  EXPECT_EQ(families, (std::map<std::string, int>{{"mcsd", 50}, {"psr", 4}, {"simplified", 4}}));
+  EXPECT_EQ(families, (std::map<std::string, int>{{"mcsd", 50}, {"psr", 4}, {"simplified", 4}, {"other", 11}}));
 }
 
 TEST_F(CliEvaluate, SaysOfWhichModelsTheLabelIsTooSmallAndScoresTheOthers) {
@@ -69,20 +69,43 @@ TEST_F(CliEvaluate, SaysOfWhichModelsTheLabelIsTooSmallAndScoresTheOthers) {
       failures[row.at("model")] = row.at("failure");
     }
   }
-  EXPECT_EQ(failures, (std::map<std::string, std::string>{
-                          {"psr_d7", "The label is too small for depth 7: depth 6 is the deepest that its voxels carry."},
-                          {"psr_d8", "The label is too small for depth 8: depth 6 is the deepest that its voxels carry."}}));
+  EXPECT_EQ(failures,
+            (std::map<std::string, std::string>{
+                {"psr_d7", "The label is too small for depth 7: depth 6 is the deepest that its voxels carry."},
+                {"psr_d8", "The label is too small for depth 8: depth 6 is the deepest that its voxels carry."},
+                {"psr_knn_d7", "The label is too small for depth 7: depth 6 is the deepest that its voxels carry."},
+                {"psr_knn_d7_k40", "The label is too small for depth 7: depth 6 is the deepest that its voxels carry."},
+                {"psr_knn_d8", "The label is too small for depth 8: depth 6 is the deepest that its voxels carry."},
+                {"mpu_e0.0025_d8", "The label is too small for depth 8: depth 6 is the deepest that its voxels carry."}}));
   EXPECT_NE(finished_.out.find("note: PSR d=8: The label is too small for depth 8"), std::string::npos) << finished_.out;
   const Json summary = Json::parse(bytesOf(lab() / "summary.json"));
-  EXPECT_EQ(summary["failed"].size(), 2U);
+  EXPECT_EQ(summary["failed"].size(), 6U);
   EXPECT_EQ(summary["failed"][0]["model"], "psr_d7");
 }
 
 TEST_F(CliEvaluate, TheSummaryNamesTheChosenModelsAndTheReductions) {
   const Json summary = Json::parse(bytesOf(lab() / "summary.json"));
-  EXPECT_EQ(keysOf(summary), (Keys{"program", "label", "parameters", "models", "failed", "bounds", "bestPsr", "bestMcsd",
-                                   "bestOfAll", "mostSimilarMcsd", "bestSimplified", "paretoFront", "paretoFrontSimplified",
-                                   "paretoFrontOfAll", "reductions", "notes", "seconds"}));
+  EXPECT_EQ(keysOf(summary), (Keys{"program",
+                                   "label",
+                                   "parameters",
+                                   "models",
+                                   "failed",
+                                   "bounds",
+                                   "bestPsr",
+                                   "bestMcsd",
+                                   "bestOfAll",
+                                   "mostSimilarMcsd",
+                                   "bestSimplified",
+                                   "bestOther",
+                                   "paretoFront",
+                                   "paretoFrontSimplified",
+                                   "paretoFrontOther",
+                                   "paretoFrontOfAll",
+                                   "otherMethods",
+                                   "reductions",
+                                   "notes",
+                                   "seconds"}));
+  EXPECT_EQ(summary["otherMethods"].size(), 3U);
   EXPECT_EQ(summary["label"]["file"], "labels.mha");
   EXPECT_EQ(summary["parameters"]["sampling"], "paper");
   std::map<std::string, std::map<std::string, std::string>> rows;
@@ -93,7 +116,8 @@ TEST_F(CliEvaluate, TheSummaryNamesTheChosenModelsAndTheReductions) {
                                   {"bestMcsd", "bestMcsd"},
                                   {"bestOfAll", "bestOfAll"},
                                   {"mostSimilarMcsd", "mostSimilar"},
-                                  {"bestSimplified", "bestSimplified"}}) {
+                                  {"bestSimplified", "bestSimplified"},
+                                  {"bestOther", "bestOther"}}) {
     const auto& row = rows.at(summary[key]["model"].get<std::string>());
     EXPECT_NE((" " + row.at("roles") + " ").find(std::string(" ") + role + " "), std::string::npos) << role;
     EXPECT_EQ(summary[key]["paperErrorMm"]["mean"], std::stod(row.at("meanErrorMm")));
@@ -104,7 +128,7 @@ TEST_F(CliEvaluate, TheSummaryNamesTheChosenModelsAndTheReductions) {
               1e-9);
   std::set<std::string> front;
   for (const auto& [model, row] : rows) {
-    if (row.at("pareto") == "1" && row.at("family") != "simplified") {
+    if (row.at("pareto") == "1" && (row.at("family") == "psr" || row.at("family") == "mcsd")) {
       front.insert(model);
     }
   }
@@ -113,8 +137,9 @@ TEST_F(CliEvaluate, TheSummaryNamesTheChosenModelsAndTheReductions) {
 
 TEST_F(CliEvaluate, TheReportIsOneFileWithEveryTableAndTwoPictures) {
   const std::string html = bytesOf(lab() / "report.html");
-  for (const char* part : {"Objective score", "Best and most similar models", "Mean Gaussian curvature", "Processing time",
-                           "Distribution of the error", "Accuracy and complexity", "too small for depth 8"}) {
+  for (const char* part :
+       {"Objective score", "Best and most similar models", "Mean Gaussian curvature", "Processing time",
+        "Distribution of the error", "Accuracy and complexity", "too small for depth 8", "Other methods", "Ohtake"}) {
     EXPECT_NE(html.find(part), std::string::npos) << part;
   }
   const auto count = [&](const std::string& word) {
@@ -139,7 +164,7 @@ TEST_F(CliEvaluate, ARunOnOneThreadElsewhereWritesTheSameBytesTimesAside) {
   const TemporaryFolder folder;
   const Finished finished = evaluate(labels(), folder / "again", {"--threads", "1"});
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
-  EXPECT_NE(finished.out.find("58 made, 0 kept"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("69 made, 0 kept"), std::string::npos) << finished.out;
   expectSameResults(folder.path() / "again", lab());
 }
 
@@ -147,7 +172,7 @@ TEST_F(CliEvaluate, GoesOnWhereItStoppedAndMakesOnlyWhatIsMissing) {
   const TemporaryFolder folder;
   const fs::path copy = folder.path() / "lab";
   fs::copy(lab(), copy, fs::copy_options::recursive);
-  const std::set<std::string> lost{"psr_d5.json", "mcsd_s45_e30.json", "mcsd_s90_e90.json", "simplified_32.json"};
+  const std::set<std::string> lost{"psr_d5.json", "mcsd_s45_e30.json", "mcsd_s90_e90.json", "simplified_32.json", "mpu_e0.01.json"};
   std::map<std::string, std::string> kept;
   for (const auto& entry : fs::directory_iterator(copy / "models")) {
     const std::string name = entry.path().filename().string();
@@ -166,12 +191,33 @@ TEST_F(CliEvaluate, GoesOnWhereItStoppedAndMakesOnlyWhatIsMissing) {
   }
   const Finished finished = evaluate(labels(), copy.string() + "/");
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
-  EXPECT_NE(finished.out.find("5 made, 53 kept"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("6 made, 63 kept"), std::string::npos) << finished.out;
   expectSameResults(copy, lab());
   for (const auto& [name, bytes] : kept) {
     EXPECT_EQ(bytesOf(copy / "models" / name), bytes) << name;
   }
   EXPECT_EQ(namesIn(copy), namesIn(lab()));
+}
+
+TEST_F(CliEvaluate, WithoutOtherMethodsThePublishedModelsAreTheSame) {
+  const TemporaryFolder folder;
+  const fs::path copy = folder.path() / "lab";
+  fs::copy(lab(), copy, fs::copy_options::recursive);
+  const Finished none = evaluate(labels(), copy.string(), {"--methods", "none"});
+  ASSERT_EQ(none.exitCode, 0) << none.err;
+  EXPECT_NE(none.out.find("0 made, 58 kept"), std::string::npos) << none.out;
+  const auto with = namedRows(bytesOf(lab() / "models.csv"));
+  const auto without = namedRows(bytesOf(copy / "models.csv"));
+  ASSERT_EQ(without.size(), 58U);
+  for (std::size_t n = 0; n < without.size(); ++n) {
+    for (const char* column : {"model", "meanErrorMm", "score", "pareto", "roles"}) {
+      EXPECT_EQ(without[n].at(column), with[n].at(column)) << without[n].at("model");
+    }
+  }
+  EXPECT_EQ(bytesOf(copy / "report.html").find("Other methods"), std::string::npos);
+  EXPECT_EQ(Json::parse(bytesOf(copy / "summary.json"))["bestOther"], nullptr);
+  const Finished one = evaluate(labels(), copy.string(), {"--methods", "vessels,mpu"});
+  EXPECT_NE(one.out.find("0 made, 64 kept"), std::string::npos) << one.out;
 }
 
 TEST_F(CliEvaluate, AFinishedRunRepeatedWritesTheSameBytesTimesAndAll) {
@@ -192,7 +238,7 @@ TEST_F(CliEvaluate, StoredModelsOfOtherParametersDoNotCount) {
   fs::copy(lab(), copy, fs::copy_options::recursive);
   const Finished finished = evaluate(labels(), copy.string(), {"--as-published"});
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
-  EXPECT_NE(finished.out.find("58 made, 0 kept"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("69 made, 0 kept"), std::string::npos) << finished.out;
   EXPECT_EQ(Json::parse(bytesOf(copy / "summary.json"))["parameters"]["scale"], 1.25);
   EXPECT_NE(modelsWithoutTimes(copy), modelsWithoutTimes(lab()));
 }
@@ -220,6 +266,8 @@ TEST_F(CliEvaluate, RefusesByNameAndWritesNothing) {
   expectRefusal(evaluate(labels(), folder / "lab", {"--label", "7"}), 2, "--label 7 names no structure");
   expectRefusal(evaluate(labels(), folder / "lab", {"--threads", "-1"}), 2, "--threads");
   expectRefusal(evaluate(labels(), folder / "lab", {"--sampling", "dense"}), 2, "--sampling");
+  expectRefusal(evaluate(labels(), folder / "lab", {"--methods", "magic"}), 2, "\"magic\"; choose");
+  expectRefusal(evaluate(labels(), folder / "lab", {"--methods", ""}), 2, "--methods");
   expectRefusal(evaluate(labels(), folder / "missing/lab"), 3, "missing");
   expectRefusal(evaluate(folder / "nothing.mha", folder / "lab"), 3, "nothing.mha");
   expectRefusal(cli({"evaluate", labels(), "--label", "1"}), 2, "--output");
@@ -254,7 +302,7 @@ TEST(CliEvaluateInterrupt, KeepsWhatIsDoneAndWritesNoTables) {
   }
 }
 
-TEST(CliEvaluateRealData, ATumourOfIrcadbHasEveryMcsdModel) {
+TEST(CliEvaluateRealData, ATumourOfIrcadbHasEveryMcsdModelAndOneOfEachOtherMethod) {
   const auto masks = unpackedIrcadb01Masks();
   if (!masks) {
     GTEST_SKIP() << "skipped: no real data";
@@ -264,10 +312,15 @@ TEST(CliEvaluateRealData, ATumourOfIrcadbHasEveryMcsdModel) {
       cli({"evaluate", (masks->path() / "MASKS_DICOM").string(), "--structure", "livertumor01", "-o", folder / "lab"});
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
   int mcsd = 0;
+  std::set<std::string> others;
   for (const auto& row : namedRows(bytesOf(folder.path() / "lab/models.csv"))) {
-    mcsd += row.at("family") == "mcsd" && row.at("failure").empty() ? 1 : 0;
+    if (row.at("failure").empty()) {
+      mcsd += row.at("family") == "mcsd" ? 1 : 0;
+      others.insert(row.at("family") == "other" ? row.at("method") : "");
+    }
   }
   EXPECT_EQ(mcsd, 50);
+  EXPECT_EQ(others, (std::set<std::string>{"", "psr_knn", "mpu", "vessels"}));
 }
 
 }  // namespace

@@ -100,6 +100,27 @@ TEST(CliSweep, TheReportNamesWhatDecimationBrokeAndHowOften) {
   }
 }
 
+TEST(CliMethods, AListedMethodWritesItsUsualVariantOrThoseThatAreNamed) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> common{"reconstruct", sampleSegmentation(), "--label", "5", "--method", "psr_knn"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), common.begin(), common.end());
+    return cli(more);
+  };
+  const Finished usual = with({"-o", folder / "t.ply", "--report", folder / "t.json"});
+  ASSERT_EQ(usual.exitCode, 0) << usual.err;
+  EXPECT_NE(usual.out.find("PSR, k-NN normals d=7"), std::string::npos) << usual.out;
+  const Finished two = with({"--variant", "d5,d7", "--simplify", "1000", "-o", folder / "v.ply", "--report", folder / "v.json"});
+  ASSERT_EQ(two.exitCode, 0) << two.err;
+  EXPECT_EQ(namesIn(folder.path()), (Keys{"t.json", "t.ply", "v_d5.json", "v_d5.ply", "v_d7.json", "v_d7.ply"}));
+  const Json report = Json::parse(bytesOf(folder / "t.json"));
+  EXPECT_EQ(report["parameters"]["method"], "psr_knn");
+  EXPECT_EQ(report["parameters"]["variant"], "d7");
+  EXPECT_EQ(report["defects"], Json::array());
+  EXPECT_NEAR(report["volumeMl"].get<double>() / report["voxelVolumeMl"].get<double>(), 1, 0.05);
+  EXPECT_LE(Json::parse(bytesOf(folder / "v_d7.json"))["triangles"], 1000);
+}
+
 TEST(CliDepth, AutoIsTheDeepestThatTheSamplesCarryAndCanBeSimplified) {
   const TemporaryFolder folder;
   const std::vector<std::string> common{"reconstruct", sampleSegmentation(), "--structure", "portal_vein"};

@@ -84,6 +84,7 @@ constexpr auto kNeverShown = std::to_array<NeverShown>({
      "fields of a NRRD header"},
     {"reconstruction/io/import/dicom_slice.cpp", "no (DICOM|image)", "told apart by it, not said"},
     {"reconstruction/io/import/main.cpp", "glisson-import is started by Glisson itself.*", "said on a terminal"},
+    {"reconstruction/methods/", "[A-Z]\\. .*, 20[0-9][0-9]\\.", "a publication, cited as it is named"},
     {"reconstruction/io/options.cpp", "--(labels|accept) 7 .*", "refused before there is a window"},
     {"reconstruction/io/import/meta_image.cpp", "ObjectType = .*|7 ElementType = .*", "fields of a MetaImage header"},
     {"app/gui/", "(tr|QT_TR_NOOP|setStyleSheet|setShortcut|translate)\\(\\)",

@@ -26,6 +26,11 @@ TEST(ParametersJson, EverySetOfParametersComesBackAsItWas) {
                .order = McsdOrder::SmoothFirst,
                .splitNormals = true};
   sets.push_back(mcsd);
+  ReconstructionParameters listed = psr(7);
+  listed.method = Method::Listed;
+  listed.listedMethod = "psr_knn";
+  listed.listedVariant = "d6";
+  sets.push_back(listed);
   for (const ReconstructionParameters& p : sets) {
     // As text, since that is what a case file holds.
     const auto back = parametersFromJson(nlohmann::ordered_json::parse(parametersJson(p).dump()));
@@ -36,6 +41,21 @@ TEST(ParametersJson, EverySetOfParametersComesBackAsItWas) {
   }
   EXPECT_EQ(usedParametersJson(sets[3])["depth"], "auto");
   EXPECT_EQ(usedParametersJson(sets[4])["depth"], 7);
+}
+
+TEST(ParametersJson, AListedMethodIsNamedByItsIdAndAnUnknownOneIsRefused) {
+  ReconstructionParameters listed;
+  listed.method = Method::Listed;
+  listed.listedMethod = "mpu";
+  listed.listedVariant = "e0.01";
+  EXPECT_EQ(usedParametersJson(listed).dump(),
+            R"({"method":"mpu","variant":"e0.01","sampling":"unbiased","scale":1.1,"simplify":null})");
+  auto json = parametersJson(listed);
+  json["method"] = "magic";
+  EXPECT_THROW(parametersFromJson(json), UsageError);
+  json["method"] = "mpu";
+  json["variant"] = "d6";
+  EXPECT_THROW(parametersFromJson(json), UsageError);
 }
 
 TEST(ParametersJson, ADepthThatIsNoneIsRefused) {

@@ -11,6 +11,7 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/model_json.h"
 #include "reconstruction/evaluation/models_csv.h"
+#include "reconstruction/methods/methods.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -36,6 +37,7 @@ EvaluatedModel failed(ModelFamily family, const std::string& why) {
 constexpr ModelFamily kPsr = ModelFamily::Psr;
 constexpr ModelFamily kMcsd = ModelFamily::Mcsd;
 constexpr ModelFamily kThird = ModelFamily::SimplifiedPsr;
+constexpr ModelFamily kOther = ModelFamily::Other;
 
 TEST(Recipes, AreThePapersFiftyFourAndAFewMoreEachWithANameOfItsOwn) {
   const std::vector<ModelRecipe> recipes = allRecipes();
@@ -53,7 +55,25 @@ TEST(Recipes, AreThePapersFiftyFourAndAFewMoreEachWithANameOfItsOwn) {
   EXPECT_TRUE(ids.contains("psr_d7"));
   EXPECT_TRUE(ids.contains("mcsd_s90_e90"));
   EXPECT_TRUE(ids.contains("simplified_16"));
-  EXPECT_EQ(modelName(recipes.back()), "PSR d=8, 1/64");
+  EXPECT_EQ(modelName(recipes[57]), "PSR d=8, 1/64");
+}
+
+TEST(Recipes, EndWithEveryVariantOfTheListedMethodsNamedByTheList) {
+  const std::vector<ModelRecipe> recipes = allRecipes();
+  std::size_t place = 58;
+  for (const ReconstructionMethod& method : listedMethods()) {
+    for (const MethodVariant& variant : method.variants) {
+      ASSERT_LT(place, recipes.size());
+      const ModelRecipe& recipe = recipes[place++];
+      EXPECT_EQ(recipe.family, kOther);
+      EXPECT_EQ(methodId(recipe), method.id);
+      EXPECT_EQ(modelId(recipe), method.id + "_" + variant.id);
+      EXPECT_EQ(modelName(recipe), method.name + " " + variant.name);
+    }
+  }
+  EXPECT_EQ(place, recipes.size());
+  EXPECT_EQ(familyId(kOther), "other");
+  EXPECT_FALSE(isPublished(kOther));
 }
 
 TEST(Recipes, DecimateBeforeTheySmoothByTheLaplacianFilterAndSampleAsThePaper) {
@@ -89,11 +109,13 @@ TEST(Evaluation, ChoosesTheBestOfEachFamilyAndTheMostSimilarOfMcsd) {
   EXPECT_EQ(front, (std::vector<bool>{true, true, true, true, false}));
 }
 
-TEST(Evaluation, TheThirdFamilyChangesNothingOfThePublishedOnes) {
+TEST(Evaluation, TheFamiliesBesideThePublishedOnesChangeNothingOfThem) {
   std::vector<EvaluatedModel> models{model(kPsr, 3.0, 100, 9.0), model(kPsr, 1.2, 400, 2.0), model(kMcsd, 1.0, 2000, 1.5)};
   const Evaluation without = evaluated(models);
   models.push_back(model(kThird, 0.5, 50, 2.0));
   models.push_back(model(kThird, 0.6, 60, 2.0));
+  models.push_back(model(kOther, 0.4, 70, 2.0));
+  models.push_back(model(kOther, 0.7, 80, 2.0));
   const Evaluation with = evaluated(models);
   EXPECT_EQ(with.bestPsr, without.bestPsr);
   EXPECT_EQ(with.bestMcsd, without.bestMcsd);
@@ -110,6 +132,11 @@ TEST(Evaluation, TheThirdFamilyChangesNothingOfThePublishedOnes) {
   EXPECT_TRUE(with.scores[3]->paretoOfAll);
   EXPECT_FALSE(with.scores[4]->pareto);
   EXPECT_EQ(with.bestSimplified, 4U);  // the nearest to the ideal of the published scale, not the farthest beyond it
+  EXPECT_EQ(without.bestOther, std::nullopt);
+  EXPECT_EQ(with.bestOther, 6U);
+  EXPECT_TRUE(with.scores[5]->pareto);  // each family has a front of its own
+  EXPECT_TRUE(with.scores[5]->paretoOfAll);
+  EXPECT_FALSE(with.scores[6]->pareto);
 }
 
 TEST(Evaluation, GoesOnWithoutTheModelsThatFailed) {
@@ -136,6 +163,9 @@ TEST(ModelsCsv, ReadsBackWithEveryColumnOfTheContract) {
   models[0].measures->defects = {"edge: 2 edges are not manifold", "open: 1 edge"};
   models[0].seconds.solve = 0.25;
   models[1].recipe.decimationPercent = 70;
+  models.push_back(model(kOther, 0.5, 500, 0));
+  models[2].recipe.method = "mpu";
+  models[2].recipe.variant = "e0.01";
   const std::string csv = modelsCsv(evaluated(models), 100.0);
   const auto header = test::readCsv(csv).front();
   EXPECT_EQ(header, modelsCsvColumns());
@@ -146,7 +176,7 @@ TEST(ModelsCsv, ReadsBackWithEveryColumnOfTheContract) {
     EXPECT_EQ(std::count(header.begin(), header.end(), name), 1) << name;
   }
   const auto rows = test::namedRows(csv);
-  ASSERT_EQ(rows.size(), 2U);
+  ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(parseNumber(rows[0].at("meanErrorMm")), 1.0 / 3.0);
   EXPECT_EQ(rows[0].at("triangles"), "1000000");
   EXPECT_EQ(rows[0].at("volumeDeviationPercent"), "-1");
@@ -159,6 +189,13 @@ TEST(ModelsCsv, ReadsBackWithEveryColumnOfTheContract) {
   EXPECT_EQ(rows[1].at("meanErrorMm"), "");
   EXPECT_EQ(rows[1].at("score"), "");
   EXPECT_EQ(rows[1].at("failure"), "a \"quoted\" reason, with a comma");
+  EXPECT_EQ(rows[1].at("variant"), "");
+  EXPECT_EQ(rows[2].at("family"), "other");
+  EXPECT_EQ(rows[2].at("method"), "mpu");
+  EXPECT_EQ(rows[2].at("variant"), "e0.01");
+  EXPECT_EQ(rows[2].at("depth"), "");
+  EXPECT_EQ(rows[2].at("model"), "mpu_e0.01");
+  EXPECT_EQ(rows[2].at("roles"), "bestOther");
 }
 
 TEST(ModelsCsv, LeavesTheVolumeOfAnOpenMeshEmpty) {

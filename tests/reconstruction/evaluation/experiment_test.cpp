@@ -14,6 +14,7 @@
 #include "reconstruction/mesh/self_intersection.h"
 #include "reconstruction/mesh/sharp_edges.h"
 #include "reconstruction/mesh/simplify.h"
+#include "reconstruction/methods/methods.h"
 #include "reconstruction/parallel.h"
 
 namespace glisson {
@@ -62,7 +63,9 @@ const std::vector<ModelRecipe> kFew{{.family = ModelFamily::Mcsd, .smoothing = 2
                                     {.family = ModelFamily::SimplifiedPsr, .depth = 8, .divisor = 16},
                                     {.family = ModelFamily::Psr, .depth = 5},
                                     {.family = ModelFamily::Mcsd, .smoothing = 0, .decimationPercent = 0},
-                                    {.family = ModelFamily::Psr, .depth = 6}};
+                                    {.family = ModelFamily::Psr, .depth = 6},
+                                    {.family = ModelFamily::Other, .method = "mpu", .variant = "e0.01"},
+                                    {.family = ModelFamily::Other, .method = "psr_knn", .variant = "d6"}};
 
 std::string withoutTimes(EvaluatedModel model) {
   model.seconds = {};
@@ -98,6 +101,9 @@ TEST(Experiment, MeasuresEachModelAsTheSingleFunctionsDo) {
   expectOf(models[3], reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[3])).mesh);
   const PoissonResult deepest = reconstructPoisson(body.mask, body.geometry, poissonOf(kFew[1], {}));
   expectOf(models[1], simplify(deepest.mesh, {.triangles = deepest.mesh.triangles.size() / 16}));
+  const MethodInput input{body.mask, body.geometry, Sampling::Paper, ExperimentOptions().scale};
+  expectOf(models[5], variantOf(listedMethod("mpu"), "e0.01").make(input, {}).mesh);
+  expectOf(models[6], variantOf(listedMethod("psr_knn"), "d6").make(input, {}).mesh);
   EXPECT_EQ(models[1].usedDepth, 6);
   EXPECT_EQ(models[1].name(), "PSR d=6, 1/16");
   // Marching cubes lies on the level set: the reference finds no error either way.
@@ -135,12 +141,15 @@ TEST(Experiment, GivesTheSameNumbersForOneAndManyThreads) {
 
 TEST(Experiment, SaysWhichDepthALabelIsTooSmallForAndGoesOn) {
   const Body body = ellipsoid();
-  const std::vector<EvaluatedModel> models =
-      make(body, {{.family = ModelFamily::Psr, .depth = 8}, {.family = ModelFamily::Psr, .depth = 6}, kFew[3]});
+  const std::vector<EvaluatedModel> models = make(body, {{.family = ModelFamily::Psr, .depth = 8},
+                                                         {.family = ModelFamily::Psr, .depth = 6},
+                                                         kFew[3],
+                                                         {.family = ModelFamily::Other, .method = "psr_knn", .variant = "d8"}});
   EXPECT_FALSE(models[0].measures);
   EXPECT_EQ(models[0].failure, "The label is too small for depth 8: depth 6 is the deepest that its voxels carry.");
   EXPECT_TRUE(models[1].measures);
   EXPECT_TRUE(models[2].measures);
+  EXPECT_EQ(models[3].failure, models[0].failure);
 }
 
 TEST(Experiment, KeepsTheQuickestOfSeveralRunsAndTheSameNumbers) {
