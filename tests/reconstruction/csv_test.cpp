@@ -40,7 +40,7 @@ TEST(CsvCells, ComeBackAsTheyWereWritten) {
     }
     const std::string line = csvLine(cells);
     ASSERT_EQ(csvCells(std::string_view(line).substr(0, line.size() - 1)), cells) << line;
-    ASSERT_EQ(parseCsv(line), std::vector{cells}) << line;
+    ASSERT_EQ(parseCsv(line), std::vector<Cells>(1, cells)) << line;
   }
 }
 
