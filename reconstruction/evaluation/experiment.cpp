@@ -5,7 +5,7 @@
 #include <map>
 
 #include "reconstruction/errors.h"
-#include "reconstruction/mesh/sharp_edges.h"
+#include "reconstruction/evaluation/model_mesh.h"
 #include "reconstruction/mesh/simplify.h"
 #include "reconstruction/parallel.h"
 
@@ -71,8 +71,7 @@ Places Experiment::placesOf(bool mcsd) const {
 void Experiment::measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const {
   const auto start = Clock::now();
   try {
-    model.measures = reference_.measure(mesh, context);
-    model.measures->shipped = measureAsShipped(model.recipe.family == ModelFamily::Mcsd ? splitAtSharpEdges(mesh) : mesh);
+    model.measures = measureModel(mesh, model.recipe, reference_, context);
   } catch (const Error& error) {
     model.failure = error.what();
   }
@@ -111,9 +110,8 @@ void Experiment::finishPoisson(std::size_t place, const Poisson& poisson, const 
   SurfaceMesh fewer;
   if (model.failure.empty() && simplified) {
     const auto start = Clock::now();
-    const std::size_t target = std::max<std::size_t>(4, mesh->triangles.size() / static_cast<std::size_t>(model.recipe.divisor));
     try {
-      fewer = simplify(*mesh, {.triangles = target}, context);
+      fewer = simplify(*mesh, {.triangles = simplifiedCount(mesh->triangles.size(), model.recipe)}, context);
       mesh = &fewer;
     } catch (const Error& error) {
       model.failure = error.what();

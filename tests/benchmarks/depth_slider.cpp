@@ -1,0 +1,103 @@
+// Measures how soon the Compare workspace shows the Poisson model of a depth after its slider moved: until the surface is there, until
+// the frame with it is drawn, until the frame with its error colours is drawn.
+//   depth_slider [CT SEGMENTATION]     without paths: the sample patient
+// Prints a line for each move; depth 7 follows each other depth.
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSettings>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cstdio>
+
+#include "app/gui/lab_side.h"
+#include "app/gui/lab_views.h"
+#include "app/gui/lab_workspace.h"
+#include "app/gui/main_window.h"
+#include "app/jobs/thread_job_runner.h"
+
+namespace glisson {
+namespace {
+
+/// Milliseconds since the slider moved; -1: not yet.
+struct Moments {
+  qint64 surface = -1;
+  qint64 drawn = -1;
+  qint64 coloured = -1;
+};
+
+Moments moveTo(MainWindow& window, JobRunner& jobs, int depth) {
+  LabSide& side = window.lab().side(0);
+  SurfaceView& view = window.lab().views().view(0);
+  Moments moments;
+  bool colours = false;
+  QElapsedTimer clock;
+  QObject listener;
+  QObject::connect(&side, &LabSide::changed, &listener, [&] {
+    if (!side.pending() && moments.surface < 0) {
+      moments.surface = clock.elapsed();
+    }
+    colours = !side.pending() && side.surface().errors != nullptr;
+  });
+  QObject::connect(&view, &QOpenGLWidget::frameSwapped, &listener, [&] {
+    if (moments.surface >= 0 && moments.drawn < 0) {
+      moments.drawn = clock.elapsed();
+    }
+    if (colours && moments.coloured < 0) {
+      moments.coloured = clock.elapsed();
+    }
+  });
+  clock.start();
+  window.findChild<QSlider*>("labDepth")->setValue(depth);
+  if (!QTest::qWaitFor([&] { return jobs.idle() && moments.coloured >= 0; }, 60000)) {
+    std::puts("no model within a minute");
+  }
+  return moments;
+}
+
+int measure(const QStringList& paths) {
+  QTemporaryDir folder;
+  Language language;
+  language.use("en");
+  std::optional<ThreadJobRunner> jobs(std::in_place, 2);
+  MainWindow window(*jobs, language, folder.filePath("recovery").toStdString());
+  window.resize(1440, 900);
+  window.show();
+  if (paths.isEmpty()) {
+    window.opener().openSample();
+  } else {
+    window.opener().openPaths(paths);
+  }
+  const bool ready =
+      QTest::qWaitFor([&] { return window.document().isOpen() && jobs->idle() && window.builder().missing() == 0; }, 120000);
+  if (!ready) {
+    std::puts("the case cannot be opened");
+    return 4;
+  }
+  window.workspaces().setCurrent(Workspace::Compare);
+  std::puts("depth triangles surface_ms drawn_ms coloured_ms");
+  for (const int depth : {6, 7, 5, 7, 8, 7, 9, 7}) {
+    const Moments moments = moveTo(window, *jobs, depth);
+    const auto& made = window.lab().side(0).reconstruction();
+    std::printf("%5d %9zu %10lld %8lld %11lld\n", depth, made ? made->mesh.triangles.size() : 0,
+                static_cast<long long>(moments.surface), static_cast<long long>(moments.drawn),
+                static_cast<long long>(moments.coloured));
+  }
+  jobs.reset();
+  return 0;
+}
+
+}  // namespace
+}  // namespace glisson
+
+int main(int argc, char** argv) {
+  QStandardPaths::setTestModeEnabled(true);
+  const QTemporaryDir settings;
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  glisson::VtkWidget::prepareSurfaceFormat();
+  const QApplication application(argc, argv);
+  return glisson::measure(QApplication::arguments().mid(1));
+}

@@ -1,0 +1,26 @@
+#pragma once
+// Purpose: the cube with L R P A S I in the corner of a 3D view, turning with its camera. Private to viewer/.
+
+#include <vtkAnnotatedCubeActor.h>
+#include <vtkNew.h>
+#include <vtkOrientationMarkerWidget.h>
+
+class vtkRenderWindowInteractor;
+class vtkRenderer;
+
+namespace glisson {
+
+class OrientationCube {
+ public:
+  OrientationCube(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer);
+  /// To be destroyed while the view's context is current.
+  ~OrientationCube();
+  OrientationCube(const OrientationCube&) = delete;
+  OrientationCube& operator=(const OrientationCube&) = delete;
+
+ private:
+  vtkNew<vtkAnnotatedCubeActor> cube_;
+  vtkNew<vtkOrientationMarkerWidget> marker_;
+};
+
+}  // namespace glisson
