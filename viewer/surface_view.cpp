@@ -36,7 +36,8 @@ struct SurfaceView::Impl {
   SurfaceView* view;
   Scene& scene;
   OrientationCube cube;
-  std::array<std::unique_ptr<SurfaceActor>, 2> surfaces;  ///< left, right
+  std::array<ShownSurface, 2> shown;                      ///< left, right
+  std::array<std::unique_ptr<SurfaceActor>, 2> surfaces;  ///< of them
   vtkNew<vtkLookupTable> colours;
   std::array<vtkNew<vtkPlane>, 2> clips;  ///< each keeps its side of the line
   SwipeDivider* divider = nullptr;        ///< a child of the view
@@ -46,23 +47,24 @@ struct SurfaceView::Impl {
   Vec3 placedUp = Vec3::UnitZ();
 
   [[nodiscard]] bool empty() const { return surfaces[0] == nullptr && surfaces[1] == nullptr; }
-  void show(std::size_t side, const ShownSurface& shown);
+  void show(std::size_t side);
   void placeClips();
   void prepareFrame(FrameQuality quality);
 };
 
-void SurfaceView::Impl::show(std::size_t side, const ShownSurface& shown) {
+void SurfaceView::Impl::show(std::size_t side) {
+  const ShownSurface& wanted = shown[side];
   std::unique_ptr<SurfaceActor>& actor = surfaces[side];
-  if (shown.mesh == nullptr) {
+  if (wanted.mesh == nullptr) {
     actor.reset();
     return;
   }
-  if (actor == nullptr || actor->mesh() != shown.mesh) {
-    actor = std::make_unique<SurfaceActor>(scene.renderer, shown.mesh);
+  if (actor == nullptr || actor->mesh() != wanted.mesh) {
+    actor = std::make_unique<SurfaceActor>(scene.renderer, wanted.mesh);
     scene.budget.forget();
   }
-  if (actor->errors() != shown.errors) {
-    actor->setErrors(shown.errors, colours);
+  if (actor->errors() != wanted.errors) {
+    actor->setErrors(wanted.errors, colours);
   }
   actor->setWireframe(wireframe);
 }
@@ -132,9 +134,13 @@ SurfaceView::~SurfaceView() {
 
 void SurfaceView::setSurfaces(const ShownSurface& left, const ShownSurface& right) {
   Impl& d = *impl_;
+  if (d.shown == std::array{left, right}) {
+    return;  // a frame takes its time
+  }
+  d.shown = {left, right};
   const bool first = d.empty();
-  d.show(0, left);
-  d.show(1, right);
+  d.show(0);
+  d.show(1);
   const bool both = swipes();
   for (std::size_t side = 0; side < d.surfaces.size(); ++side) {
     if (d.surfaces[side]) {
@@ -151,8 +157,10 @@ void SurfaceView::setSurfaces(const ShownSurface& left, const ShownSurface& righ
 }
 
 void SurfaceView::setScale(double mm) {
-  impl_->colours->SetRange(0, mm);
-  requestRender();
+  if (impl_->colours->GetRange()[1] != mm) {
+    impl_->colours->SetRange(0, mm);
+    requestRender();
+  }
 }
 
 void SurfaceView::setWireframe(bool wireframe) {

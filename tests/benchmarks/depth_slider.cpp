@@ -1,5 +1,5 @@
-// Measures how soon the Compare workspace shows the Poisson model of a depth after its slider moved: until the surface is there, until
-// the frame with it is drawn, until the frame with its error colours is drawn.
+// Measures how soon the Compare workspace shows the Poisson model of a depth after its slider moved: until the solver is done, the
+// surface ready to be drawn, the frame with it drawn, the frame with its error colours drawn.
 //   depth_slider [CT SEGMENTATION]     without paths: the sample patient
 // Prints a line for each move; depth 7 follows each other depth.
 
@@ -77,13 +77,14 @@ int measure(const QStringList& paths) {
     return 4;
   }
   window.workspaces().setCurrent(Workspace::Compare);
-  std::puts("depth triangles surface_ms drawn_ms coloured_ms");
+  std::puts("depth triangles solver_ms surface_ms drawn_ms coloured_ms");
   for (const int depth : {6, 7, 5, 7, 8, 7, 9, 7}) {
     const Moments moments = moveTo(window, *jobs, depth);
     const auto& made = window.lab().side(0).reconstruction();
-    std::printf("%5d %9zu %10lld %8lld %11lld\n", depth, made ? made->mesh.triangles.size() : 0,
-                static_cast<long long>(moments.surface), static_cast<long long>(moments.drawn),
-                static_cast<long long>(moments.coloured));
+    const auto& model = window.lab().side(0).model();
+    std::printf("%5d %9zu %9.0f %10lld %8lld %11lld\n", depth, made ? made->mesh.triangles.size() : 0,
+                model ? 1e3 * model->seconds.total() : 0, static_cast<long long>(moments.surface),
+                static_cast<long long>(moments.drawn), static_cast<long long>(moments.coloured));
   }
   jobs.reset();
   return 0;
