@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>simplified PSR (third family)</source>
-        <translation>vereinfachte PSR (dritte Familie)</translation>
+        <translation>PSR vereinfacht (3. Familie)</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -3249,6 +3249,10 @@
     <message>
         <source>Distance from the surface&apos;s vertices to the mask&apos;s surface (its level set of 0.5). Larger ones have the last colour.</source>
         <translation>Abstand der Eckpunkte der Oberfläche zur Oberfläche der Maske (Niveaufläche 0,5). Größere haben die letzte Farbe.</translation>
+    </message>
+    <message>
+        <source>distance to the voxels</source>
+        <translation>Abstand zu den Voxeln</translation>
     </message>
 </context>
 <context>

@@ -6,7 +6,7 @@
 
 namespace glisson {
 
-OrientationCube::OrientationCube(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer) {
+OrientationCube::OrientationCube(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, double share) {
   cube_->SetXPlusFaceText("L");
   cube_->SetXMinusFaceText("R");
   cube_->SetYPlusFaceText("P");
@@ -26,7 +26,7 @@ OrientationCube::OrientationCube(vtkRenderWindowInteractor* interactor, vtkRende
   }
   marker_->SetOrientationMarker(cube_);
   marker_->SetInteractor(interactor);
-  marker_->SetViewport(0.0, 0.0, 0.16, 0.2);
+  marker_->SetViewport(0.0, 0.0, 0.8 * share, share);
   marker_->SetDefaultRenderer(renderer);
   marker_->SetEnabled(1);
   marker_->InteractiveOff();

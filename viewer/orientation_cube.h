@@ -12,7 +12,8 @@ namespace glisson {
 
 class OrientationCube {
  public:
-  OrientationCube(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer);
+  /// `share` of the view's height, a little less of its width.
+  OrientationCube(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, double share = 0.2);
   /// To be destroyed while the view's context is current.
   ~OrientationCube();
   OrientationCube(const OrientationCube&) = delete;

@@ -18,6 +18,7 @@ namespace glisson {
 namespace {
 
 constexpr int kColours = 256;
+constexpr double kCubeShare = 0.12;  ///< small: its letters must not be taken for those of what is compared
 
 void fillColours(vtkLookupTable* table) {
   table->SetNumberOfTableValues(kColours);
@@ -31,7 +32,7 @@ void fillColours(vtkLookupTable* table) {
 }  // namespace
 
 struct SurfaceView::Impl {
-  explicit Impl(SurfaceView* owner) : view(owner), scene(owner->scene()), cube(scene.interactor, scene.renderer) {}
+  explicit Impl(SurfaceView* owner) : view(owner), scene(owner->scene()), cube(scene.interactor, scene.renderer, kCubeShare) {}
 
   SurfaceView* view;
   Scene& scene;

@@ -37,15 +37,16 @@ QString endText(double mm) { return QStringLiteral("\u2265\u00A0") + numberText(
 
 QSize ErrorLegend::sizeHint() const {
   const QFontMetrics metrics = fontMetrics();
-  return {metrics.horizontalAdvance(QStringLiteral("0")) + kBarWidth + metrics.horizontalAdvance(endText(scaleMm_)) + 2 * kGap,
+  return {metrics.horizontalAdvance(caption()) + kBarWidth + metrics.horizontalAdvance(endText(scaleMm_)) + 2 * kGap,
           metrics.height() + 4};
 }
 
+QString ErrorLegend::caption() { return tr("distance to the voxels") + QStringLiteral("   0"); }
+
 void ErrorLegend::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
-  const int zero = fontMetrics().horizontalAdvance(QStringLiteral("0"));
-  painter.drawText(QRect(0, 0, zero, height()), Qt::AlignCenter, QStringLiteral("0"));
-  const int left = zero + kGap;
+  const int left = fontMetrics().horizontalAdvance(caption()) + kGap;
+  painter.drawText(QRect(0, 0, left, height()), Qt::AlignLeft | Qt::AlignVCenter, caption());
   for (int x = 0; x < kBarWidth; ++x) {
     const Rgb colour = errorColour(x / (kBarWidth - 1.0));
     painter.fillRect(left + x, 3, 1, height() - 6, QColor(colour.r, colour.g, colour.b));

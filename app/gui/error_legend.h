@@ -22,6 +22,8 @@ class ErrorLegend : public Translated<QWidget> {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  [[nodiscard]] static QString caption();
+
   double scaleMm_ = 1;
 };
 

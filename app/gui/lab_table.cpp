@@ -76,6 +76,7 @@ void LabTable::setEvaluation(const Evaluation& evaluation, double voxelVolumeMl)
   if (first) {
     view_->resizeColumnsToContents();
   }
+  view_->resizeColumnToContents(0);  // names of later models are longer
   countRows();
 }
 

@@ -19,11 +19,16 @@ namespace glisson {
 
 namespace {
 
-constexpr Rgb kVoxelColour{150, 150, 150};
+constexpr Rgb kVoxelColour{240, 240, 240};
 
 Rgb toRgb(const QColor& colour) {
   return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
           static_cast<std::uint8_t>(colour.blue())};
+}
+
+/// A or B in its colour, as rich text.
+QString badgeText(std::size_t side, const QString& letter) {
+  return QStringLiteral("<b style=\"background:%1;color:#101010\">&nbsp;%2&nbsp;</b>").arg(kLabColours[side].name(), letter);
 }
 
 }  // namespace
@@ -89,6 +94,18 @@ void LabViews::build() {
     views_[side] = new SurfaceView(surfaces);
     views_[side]->setObjectName("labView" + sides_[side]->letter());
     row->addWidget(views_[side], 1);
+    // the letter in the view's corner; while the first view shows both, B stands in its other corner
+    auto* corners = new QHBoxLayout(views_[side]);
+    for (std::size_t letter = side; letter < sides_.size(); ++letter) {
+      auto* badge = new QLabel(badgeText(letter, sides_[letter]->letter()), views_[side]);
+      badge->setAttribute(Qt::WA_TransparentForMouseEvents);
+      corners->addWidget(badge, 0, Qt::AlignTop);
+      if (letter == side) {
+        corners->addStretch(1);
+      } else {
+        swipeBadge_ = badge;
+      }
+    }
   }
   for (const SliceAxis axis : {SliceAxis::Axial, SliceAxis::Coronal, SliceAxis::Sagittal}) {
     auto* slice = new SliceView(axis, slices);
@@ -180,6 +197,7 @@ void LabViews::refresh() {
     views_[side]->setSurfaces(sides_[side]->surface(), swipe && side == 0 ? sides_[1]->surface() : ShownSurface());
   }
   views_[1]->setVisible(!swipe);
+  swipeBadge_->setVisible(swipe);
   refreshSlices();
   refreshNames();
 }
@@ -213,8 +231,7 @@ void LabViews::refreshNames() {
     } else {
       text = QString::fromStdString(shown.model() ? shown.model()->name() : modelName(*shown.recipe()));
     }
-    names_[side]->setText(QStringLiteral("<b style=\"background:%1;color:#101010\">&nbsp;%2&nbsp;</b>&nbsp;&nbsp;<b>%3</b>")
-                              .arg(kLabColours[side].name(), shown.letter(), text.toHtmlEscaped()));
+    names_[side]->setText(badgeText(side, shown.letter()) + QStringLiteral("&nbsp;&nbsp;<b>%1</b>").arg(text.toHtmlEscaped()));
   }
 }
 

@@ -57,6 +57,7 @@ class LabViews : public Translated<QWidget> {
   QStackedWidget* pages_;  ///< surfaces, slices
   std::array<QWidget*, 2> panels_{};
   std::array<SurfaceView*, 2> views_{};
+  QLabel* swipeBadge_ = nullptr;  ///< B's letter in the first view
   std::array<SliceView*, 3> slices_{};
   std::array<QLabel*, 2> names_{};
   std::array<QLabel*, 2> numbers_{};

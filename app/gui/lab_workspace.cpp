@@ -22,6 +22,11 @@
 
 namespace glisson {
 
+namespace {
+constexpr int kPlotHeight = 250;  ///< to begin with
+constexpr int kSetupWidth = 220;
+}  // namespace
+
 LabWorkspace::LabWorkspace(Document& document, JobRunner& jobs, QWidget* parent)
     : Translated<QWidget>(parent),
       document_(document),
@@ -48,9 +53,9 @@ void LabWorkspace::build() {
   centre->setChildrenCollapsible(false);
   centre->addWidget(tabs_);
   centre->addWidget(views_);
-  centre->setStretchFactor(0, 2);
-  centre->setStretchFactor(1, 3);
-  setup_->setFixedWidth(220);
+  centre->setStretchFactor(1, 1);
+  centre->setSizes({kPlotHeight, 3 * kPlotHeight});
+  setup_->setFixedWidth(kSetupWidth);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);

@@ -376,6 +376,13 @@ TEST_F(LabTest, FitsTheSmallestWindowInBothLanguages) {
       const auto* button = find<QPushButton>(name);
       EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()) + 8) << code << ", " << name;
     }
+    for (const QCheckBox* box : lab().findChildren<QCheckBox*>()) {
+      EXPECT_GE(box->width(), box->minimumSizeHint().width()) << code << ", " << box->objectName().toStdString();
+    }
+    for (const char* name : {"labNumbersA", "labNumbersB"}) {
+      const auto* numbers = find<QLabel>(name);
+      EXPECT_GE(numbers->height(), numbers->heightForWidth(numbers->width())) << code << ", " << name;
+    }
   }
 }
 
