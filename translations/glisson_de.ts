@@ -3666,6 +3666,17 @@
     </message>
 </context>
 <context>
+    <name>glisson::LabSide</name>
+    <message>
+        <source>%1, distances</source>
+        <translation>%1, Abstände</translation>
+    </message>
+    <message>
+        <source>%1, numbers</source>
+        <translation>%1, Zahlen</translation>
+    </message>
+</context>
+<context>
     <name>glisson::LabTable</name>
     <message>
         <source>Filter: a text that any column holds</source>

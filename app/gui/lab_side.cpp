@@ -37,10 +37,9 @@ void LabSide::setSubject(std::shared_ptr<const lab::LabSubject> subject, const E
   emit changed();
 }
 
-JobRequest LabSide::request(const char* stage, bool quiet) {
-  JobRequest request{.key = QStringLiteral("lab/%1/%2").arg(QLatin1String(stage), letter_),
-                     .title = letter_ + QStringLiteral(": ") + QString::fromStdString(modelName(*recipe_)),
-                     .quiet = quiet};
+JobRequest LabSide::request(const char* stage, const QString& title) {
+  const QString name = letter_ + QStringLiteral(": ") + QString::fromStdString(modelName(*recipe_));
+  JobRequest request{.key = QStringLiteral("lab/%1/%2").arg(QLatin1String(stage), letter_), .title = title.arg(name)};
   request.fail = [this](const std::exception& error) { emit failed(messageOf(error)); };
   return request;
 }
@@ -55,7 +54,7 @@ void LabSide::show(const ModelRecipe& recipe, bool measured) {
     jobs_.cancel(std::exchange(job, 0));
   }
   running_[0] = submitFor<Made>(
-      jobs_, request("surface", false),
+      jobs_, request("surface", QStringLiteral("%1")),
       [subject = subject_, options = options_, recipe](const ExecutionContext& context) {
         ModelMesh mesh = makeModelMesh(subject->mask(), subject->geometry(), recipe, options, context);
         auto reconstruction = std::make_shared<Reconstruction>();
@@ -91,7 +90,7 @@ void LabSide::colour() {
     double p95Mm = 0;
   };
   running_[1] = submitFor<Coloured>(
-      jobs_, request("colours", true),
+      jobs_, request("colours", tr("%1, distances")),
       [subject = subject_, mesh = surface_.mesh](const ExecutionContext& context) {
         const EvaluationReference& reference = subject->reference(context);
         Coloured made;
@@ -115,7 +114,7 @@ void LabSide::colour() {
 
 void LabSide::measure() {
   running_[2] = submitFor<ModelMeasures>(
-      jobs_, request("numbers", false),
+      jobs_, request("numbers", tr("%1, numbers")),
       [subject = subject_, recipe = *recipe_, reconstruction = reconstruction_](const ExecutionContext& context) {
         const EvaluationReference& reference = subject->reference(context.range(0.0, 0.3));
         return measureModel(reconstruction->mesh, recipe, reference, context.range(0.3, 1.0));

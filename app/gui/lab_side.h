@@ -47,7 +47,7 @@ class LabSide : public QObject {
   void take(const Made& made, bool measured);
   void colour();
   void measure();
-  [[nodiscard]] JobRequest request(const char* stage, bool quiet);
+  [[nodiscard]] JobRequest request(const char* stage, const QString& title);
 
   JobRunner& jobs_;
   QString letter_;

@@ -26,6 +26,9 @@ Rgb toRgb(const QColor& colour) {
           static_cast<std::uint8_t>(colour.blue())};
 }
 
+/// Kept free for the numbers while there are none: the views must not change their size when a model is chosen.
+constexpr int kNumberLines = 8;
+
 /// A or B in its colour, as rich text.
 QString badgeText(std::size_t side, const QString& letter) {
   return QStringLiteral("<b style=\"background:%1;color:#101010\">&nbsp;%2&nbsp;</b>").arg(kLabColours[side].name(), letter);
@@ -132,6 +135,7 @@ void LabViews::build() {
     numbers_[side]->setWordWrap(true);
     numbers_[side]->setTextInteractionFlags(Qt::TextSelectableByMouse);
     numbers_[side]->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    numbers_[side]->setMinimumHeight(kNumberLines * fontMetrics().lineSpacing());
     column->addWidget(names_[side]);
     column->addWidget(numbers_[side], 1);
     below->addWidget(panels_[side], 1);

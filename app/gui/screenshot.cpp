@@ -17,6 +17,11 @@ QImage pictureOf(MainWindow& window) {
   for (VtkWidget* view : window.findChildren<VtkWidget*>()) {
     if (view->isVisible()) {
       painter.drawImage(QRect(view->mapTo(&window, QPoint(0, 0)), view->size()), view->picture());
+      for (QWidget* over : view->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+        if (over->isVisible()) {
+          over->render(&painter, over->mapTo(&window, QPoint(0, 0)), {}, QWidget::DrawChildren);
+        }
+      }
     }
   }
   return picture;

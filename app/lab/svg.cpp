@@ -88,7 +88,10 @@ double Axis::at(double value) const {
 std::vector<double> Axis::ticks(int wanted) const {
   std::vector<double> values;
   if (logarithmic_) {
-    for (double power = std::pow(10.0, std::floor(std::log10(low_))); power <= high_; power *= 10.0) {
+    const auto first = static_cast<int>(std::floor(std::log10(low_)));
+    const auto last = static_cast<int>(std::floor(std::log10(high_)));
+    for (int exponent = first; exponent <= last; ++exponent) {
+      const double power = std::pow(10.0, exponent);
       for (const double step : {1.0, 2.0, 5.0}) {
         if (step * power >= low_ && step * power <= high_) {
           values.push_back(step * power);
