@@ -27,7 +27,7 @@ Rgb toRgb(const QColor& colour) {
 }
 
 /// Kept free for the numbers while there are none: the views must not change their size when a model is chosen.
-constexpr int kNumberLines = 8;
+constexpr int kNumberLines = 7;
 
 /// A or B in its colour, as rich text.
 QString badgeText(std::size_t side, const QString& letter) {
