@@ -2,6 +2,73 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>LabColumn</name>
+    <message>
+        <source>PSR</source>
+        <translation>PSR</translation>
+    </message>
+    <message>
+        <source>MCSD</source>
+        <translation>MCSD</translation>
+    </message>
+    <message>
+        <source>simplified PSR</source>
+        <translation>PSR vereinfacht</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>greatest</source>
+        <translation>größter</translation>
+    </message>
+    <message>
+        <source>Paper error</source>
+        <translation>Fehler wie publiziert</translation>
+    </message>
+    <message>
+        <source>Surface to voxels</source>
+        <translation>Oberfläche zu Voxeln</translation>
+    </message>
+    <message>
+        <source>Voxels to surface</source>
+        <translation>Voxel zu Oberfläche</translation>
+    </message>
+    <message>
+        <source>Curvature K</source>
+        <translation>Krümmung K</translation>
+    </message>
+    <message>
+        <source>Volume deviation</source>
+        <translation>Volumenabweichung</translation>
+    </message>
+    <message>
+        <source>other methods</source>
+        <translation>andere Verfahren</translation>
+    </message>
+</context>
+<context>
     <name>Sentence</name>
     <message>
         <source>%1 was not read within %2 seconds; check the file, or copy it to a faster disk.</source>
@@ -3298,6 +3365,17 @@
     </message>
 </context>
 <context>
+    <name>glisson::ErrorLegend</name>
+    <message>
+        <source>Distance from the surface&apos;s vertices to the mask&apos;s surface (its level set of 0.5). Larger ones have the last colour.</source>
+        <translation>Abstand der Eckpunkte der Oberfläche zur Oberfläche der Maske (Niveaufläche 0,5). Größere haben die letzte Farbe.</translation>
+    </message>
+    <message>
+        <source>distance to the voxels</source>
+        <translation>Abstand zu den Voxeln</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ExportPanel</name>
     <message>
         <source>Export package...</source>
@@ -3543,6 +3621,291 @@
     <message>
         <source>%1 waiting</source>
         <translation>%1 warten</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::LabPlot</name>
+    <message>
+        <source>triangles (logarithmic)</source>
+        <translation>Dreiecke (logarithmisch)</translation>
+    </message>
+    <message>
+        <source>mean paper error (mm)</source>
+        <translation>mittlerer Fehler wie publiziert (mm)</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>Front</translation>
+    </message>
+    <message>
+        <source>front of simplified PSR</source>
+        <translation>Front der vereinfachten PSR</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>mean paper error %1 mm</source>
+        <translation>mittlerer Fehler wie publiziert %1 mm</translation>
+    </message>
+    <message>
+        <source>score %1</source>
+        <translation>Bewertung %1</translation>
+    </message>
+    <message>
+        <source>on the front</source>
+        <translation>auf der Front</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::LabSetup</name>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>PSR is given</source>
+        <translation>PSR erhält</translation>
+    </message>
+    <message>
+        <source>samples as published</source>
+        <translation>Punkte wie publiziert</translation>
+    </message>
+    <message>
+        <source>unbiased samples</source>
+        <translation>unverzerrte Punkte</translation>
+    </message>
+    <message>
+        <source>As published, samples are voxel centres, half a voxel inside; unbiased ones lie on the voxels&apos; faces.</source>
+        <translation>Wie publiziert sind die Punkte Voxelmitten, einen halben Voxel innen; unverzerrte liegen auf den Flächen der Voxel.</translation>
+    </message>
+    <message>
+        <source>a cube of 1.1</source>
+        <translation>einen Würfel von 1,1</translation>
+    </message>
+    <message>
+        <source>a cube of 1.25</source>
+        <translation>einen Würfel von 1,25</translation>
+    </message>
+    <message>
+        <source>The cube that PSR solves in, in sizes of the structure; the authors&apos; base code has 1.25.</source>
+        <translation>Der Würfel, in dem PSR löst, in Größen der Struktur; der Code, von dem die Autoren ausgingen, hat 1,25.</translation>
+    </message>
+    <message>
+        <source>Compare methods</source>
+        <translation>Verfahren vergleichen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The PSR model of this depth is made and shown at once.</source>
+        <translation>Das PSR-Modell dieser Tiefe wird sofort erzeugt und gezeigt.</translation>
+    </message>
+    <message>
+        <source>The slider&apos;s model becomes A.</source>
+        <translation>Das Modell des Reglers wird A.</translation>
+    </message>
+    <message>
+        <source>The slider&apos;s model becomes B.</source>
+        <translation>Das Modell des Reglers wird B.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Table as CSV...</source>
+        <translation>Tabelle als CSV ...</translation>
+    </message>
+    <message>
+        <source>Plot PNG...</source>
+        <translation>Bild PNG ...</translation>
+    </message>
+    <message>
+        <source>Plot SVG...</source>
+        <translation>Bild SVG ...</translation>
+    </message>
+    <message>
+        <source>Open a case first.</source>
+        <translation>Zuerst einen Fall öffnen.</translation>
+    </message>
+    <message>
+        <source>The methods are being compared.</source>
+        <translation>Die Verfahren werden gerade verglichen.</translation>
+    </message>
+    <message>
+        <source>Choose a method.</source>
+        <translation>Ein Verfahren wählen.</translation>
+    </message>
+    <message>
+        <source>Every model of these methods is there.</source>
+        <translation>Alle Modelle dieser Verfahren sind da.</translation>
+    </message>
+    <message>
+        <source>Makes and measures the models that are missing; each appears as soon as it is done.</source>
+        <translation>Erzeugt und vermisst die fehlenden Modelle; jedes erscheint, sobald es fertig ist.</translation>
+    </message>
+    <message>
+        <source>Models that are done stay.</source>
+        <translation>Fertige Modelle bleiben.</translation>
+    </message>
+    <message>
+        <source>Nothing is being compared.</source>
+        <translation>Es wird nichts verglichen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 models</source>
+        <translation>%1 von %2 Modellen</translation>
+    </message>
+    <message>
+        <source>%1 could not be made (see the table)</source>
+        <translation>%1 nicht erzeugt (siehe Tabelle)</translation>
+    </message>
+    <message>
+        <source>PSR depth %1, shown as</source>
+        <translation>PSR-Tiefe %1, gezeigt als</translation>
+    </message>
+    <message>
+        <source>There are no models yet.</source>
+        <translation>Es gibt noch keine Modelle.</translation>
+    </message>
+    <message>
+        <source>The plot as a picture</source>
+        <translation>Das Diagramm als Bild</translation>
+    </message>
+    <message>
+        <source>Every measure of every model</source>
+        <translation>Alle Maße aller Modelle</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::LabSide</name>
+    <message>
+        <source>%1, distances</source>
+        <translation>%1, Abstände</translation>
+    </message>
+    <message>
+        <source>%1, numbers</source>
+        <translation>%1, Zahlen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::LabTable</name>
+    <message>
+        <source>Filter: a text that any column holds</source>
+        <translation>Filter: ein Text in irgendeiner Spalte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 models</source>
+        <translation>%1 von %2 Modellen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::LabTableModel</name>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Defects</source>
+        <translation>Defekte</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::LabViews</name>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Swipe</source>
+        <translation>Wischen</translation>
+    </message>
+    <message>
+        <source>One view: A left of the line, B right of it. Drag the line, or move it with the arrow keys.</source>
+        <translation>Eine Ansicht: A links der Linie, B rechts. Die Linie ziehen oder mit den Pfeiltasten bewegen.</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Outlines of A, B and the voxels over the CT</source>
+        <translation>Umrisse von A, B und den Voxeln über dem CT</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Drahtgitter</translation>
+    </message>
+    <message>
+        <source>Slices show outlines; choose side by side or swipe.</source>
+        <translation>Schichten zeigen Umrisse; Nebeneinander oder Wischen wählen.</translation>
+    </message>
+    <message>
+        <source>click a model in the plot</source>
+        <translation>ein Modell im Diagramm anklicken</translation>
+    </message>
+    <message>
+        <source>click a model with Shift or the right button</source>
+        <translation>ein Modell mit Umschalt oder der rechten Taste anklicken</translation>
+    </message>
+    <message>
+        <source>%1 is being made ...</source>
+        <translation>%1 wird erzeugt ...</translation>
+    </message>
+    <message>
+        <source>Defects: %1</source>
+        <translation>Defekte: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::LabWorkspace</name>
+    <message>
+        <source>Comparing methods: %1</source>
+        <translation>Vergleich der Verfahren: %1</translation>
+    </message>
+    <message>
+        <source>Table as CSV</source>
+        <translation>Tabelle als CSV</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Plot as PNG</source>
+        <translation>Diagramm als PNG</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Plot as SVG</source>
+        <translation>Diagramm als SVG</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg)</source>
+        <translation>SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>&quot;Compare methods&quot; makes the models of the chosen structure; each appears here as soon as it is measured. Click one to see it as A, click another with Shift or the right button to see it as B.</source>
+        <translation>„Verfahren vergleichen“ erzeugt die Modelle der gewählten Struktur; jedes erscheint hier, sobald es vermessen ist. Ein Modell anklicken, um es als A zu sehen; ein weiteres mit Umschalt oder der rechten Taste, um es als B zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -3900,6 +4263,14 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Choose the file...</source>
         <translation>Datei wählen...</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>methods</source>
+        <translation>Verfahren</translation>
     </message>
 </context>
 <context>
@@ -4753,6 +5124,13 @@ L %2</translation>
     </message>
 </context>
 <context>
+    <name>glisson::SurfaceView</name>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+</context>
+<context>
     <name>glisson::TerritoryBox</name>
     <message>
         <source>not known</source>
@@ -4914,6 +5292,10 @@ L %2</translation>
     <message>
         <source>Open a case first.</source>
         <translation>Öffnen Sie zuerst einen Fall.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
     </message>
 </context>
 </TS>

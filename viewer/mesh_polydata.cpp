@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "reconstruction/parallel.h"
 #include "viewer/clustering.h"
 
 namespace glisson {
@@ -87,12 +88,25 @@ vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceMesh& mesh) {
 std::shared_ptr<const DisplayMesh> makeDisplayMesh(std::shared_ptr<const Reconstruction> reconstruction) {
   auto made = std::make_shared<DisplayMesh>();
   made->source = std::move(reconstruction);
-  made->coarse = clustered(made->source->mesh, kCoarseTriangles);
-  const std::size_t triangles = made->source->mesh.triangles.size();
-  const auto full = toPolyData(made->source->mesh);
-  made->polys = {triangles > kCoarseTriangles ? toPolyData(made->coarse) : full,
-                 triangles > kReducedTriangles ? toPolyData(clustered(made->source->mesh, kReducedTriangles)) : full, full};
-  for (vtkPolyData* poly : made->polys) {
+  const SurfaceMesh& mesh = made->source->mesh;
+  const std::size_t triangles = mesh.triangles.size();
+  const auto make = [&](std::size_t detail) {
+    if (detail == static_cast<std::size_t>(Detail::Full)) {
+      made->polys[detail] = toPolyData(mesh);
+    } else if (detail == static_cast<std::size_t>(Detail::Coarse)) {
+      made->coarse = clustered(mesh, kCoarseTriangles);
+      made->polys[detail] = triangles > kCoarseTriangles ? toPolyData(made->coarse) : nullptr;
+    } else if (triangles > kReducedTriangles) {
+      made->polys[detail] = toPolyData(clustered(mesh, kReducedTriangles));
+    }
+  };
+  parallelFor(kDetails, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t detail = begin; detail < end; ++detail) {
+      make(detail);
+    }
+  });
+  for (vtkSmartPointer<vtkPolyData>& poly : made->polys) {
+    poly = poly != nullptr ? poly : made->polys[static_cast<std::size_t>(Detail::Full)];
     poly->ComputeBounds();  // else the first frame computes and keeps them
   }
   return made;

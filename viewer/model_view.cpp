@@ -1,7 +1,5 @@
 #include "viewer/model_view.h"
 
-#include <vtkCamera.h>
-
 #include <Eigen/Geometry>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -18,8 +16,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-Vec3 toVec3(const double* values) { return {values[0], values[1], values[2]}; }
-
 }  // namespace
 
 ModelView::ModelView(QWidget* parent) : VtkWidget(parent), impl_(std::make_unique<Impl>(this)) {
@@ -27,7 +23,6 @@ ModelView::ModelView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
   setAccessibleName(tr("3D view"));
   Impl& d = *impl_;
   d.scene.renderer->SetBackground(0.11, 0.12, 0.14);
-  d.makeCube();
   d.pickOverlay = new PickOverlay(this);
   d.resectogram = new Resectogram(this);
   d.planeActors.setVisible(false);
@@ -39,8 +34,6 @@ ModelView::ModelView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
 ModelView::~ModelView() {
   makeCurrent();
   impl_->scene.beforeFrame = nullptr;
-  impl_->marker->SetEnabled(0);
-  impl_->marker->SetInteractor(nullptr);
   impl_.reset();
   doneCurrent();
 }
@@ -170,38 +163,20 @@ Vec3 ModelView::viewDirection() const { return camera().forward; }
 
 Vec3 ModelView::viewUp() const { return camera().up; }
 
-ModelView::Pose ModelView::pose() const {
-  vtkCamera* vtk = impl_->scene.renderer->GetActiveCamera();
-  return {toVec3(vtk->GetPosition()), toVec3(vtk->GetFocalPoint()), toVec3(vtk->GetViewUp())};
-}
+Pose ModelView::pose() const { return impl_->scene.pose(); }
 
 void ModelView::setPose(const Pose& pose) {
   Impl& d = *impl_;
   if (pose == this->pose()) {
     return;
   }
-  vtkCamera* vtk = d.scene.renderer->GetActiveCamera();
-  vtk->SetPosition(pose.position.data());
-  vtk->SetFocalPoint(pose.focus.data());
-  vtk->SetViewUp(pose.up.data());
+  d.scene.setPose(pose);
   d.told = this->pose();
-  d.scene.cameraByHand = true;
   d.scene.touch();
   requestRender();
 }
 
-ViewCamera ModelView::camera() const {
-  vtkCamera* vtk = impl_->scene.renderer->GetActiveCamera();
-  ViewCamera camera;
-  camera.position = toVec3(vtk->GetPosition());
-  camera.forward = toVec3(vtk->GetDirectionOfProjection()).normalized();
-  const Vec3 up = toVec3(vtk->GetViewUp());
-  camera.up = (up - up.dot(camera.forward) * camera.forward).normalized();
-  camera.viewAngle = vtk->GetViewAngle() * kDegree;
-  camera.width = std::max(1, width());
-  camera.height = std::max(1, height());
-  return camera;
-}
+ViewCamera ModelView::camera() const { return impl_->scene.camera(width(), height()); }
 
 std::optional<HandleLayout> ModelView::handles() const {
   if (!impl_->plane) {
@@ -209,23 +184,6 @@ std::optional<HandleLayout> ModelView::handles() const {
   }
   impl_->updateSection(impl_->sectionIsCoarse);
   return impl_->layout();
-}
-
-QImage ModelView::picture() {
-  if (!isValid() && !window()->isVisible()) {
-    // OpenGL needs a window: make one that nobody sees.
-    QWidget* top = window();
-    top->setAttribute(Qt::WA_DontShowOnScreen);
-    top->show();
-    QImage image = picture();
-    top->hide();
-    top->setAttribute(Qt::WA_DontShowOnScreen, false);
-    return image;
-  }
-  impl_->scene.picture = true;
-  QImage image = grabFramebuffer();
-  impl_->scene.picture = false;
-  return image;
 }
 
 void ModelView::startPick(PickKind kind) {

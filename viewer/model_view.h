@@ -5,7 +5,6 @@
 // mm, Ctrl 5 mm), Ctrl+arrows tilt it by 1 degree about its centre (with Shift 5 degrees). While a bent plane's control points are
 // shown they take the left button (with Shift: their group moves), and the keys along the normal move the one dragged last.
 
-#include <QImage>
 #include <memory>
 #include <optional>
 
@@ -63,13 +62,7 @@ class ModelView : public VtkWidget {
   /// Unit vectors, mm LPS: where the camera looks and its up. For planeFromCamera().
   [[nodiscard]] Vec3 viewDirection() const;
   [[nodiscard]] Vec3 viewUp() const;
-  /// Where the camera stands, to be shared with another view of the same model; emits no signal.
-  struct Pose {
-    Vec3 position = Vec3::Zero();
-    Vec3 focus = Vec3::Zero();
-    Vec3 up = Vec3::UnitZ();
-    bool operator==(const Pose&) const = default;
-  };
+  /// To be shared with another view of the same model; emits no signal.
   [[nodiscard]] Pose pose() const;
   void setPose(const Pose& pose);
   /// The camera as numbers: world mm LPS <-> logical pixels of this widget.
@@ -82,8 +75,6 @@ class ModelView : public VtkWidget {
   [[nodiscard]] bool picking() const;
   /// The nearest point of a visible structure at a pixel.
   [[nodiscard]] std::optional<Vec3> surfaceAt(const Pixel& pixel) const;
-  /// What is seen, after all pending changes, with depth peeling. A null image where OpenGL is not available.
-  [[nodiscard]] QImage picture();
 
  signals:
   /// A handle was grasped, moved (each mouse move), released. From grasp to release is one undo step.

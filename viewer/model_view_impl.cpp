@@ -1,60 +1,19 @@
 #include "viewer/model_view_impl.h"
 
-#include <vtkCamera.h>
-#include <vtkProperty.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numbers>
 
 namespace glisson {
 
 namespace {
 
-constexpr double kFilled = 0.86;                 ///< share of the view the model fills
 constexpr std::size_t kUploadTriangles = 60000;  ///< new ones of one resting frame, unless a single mesh is larger
 constexpr double kCoarseStepMm = 3;              ///< of the margin colours while the plane moves
 constexpr double kFineStepMm = 1.5;
 constexpr int kCoarsePixels = 3;
 constexpr int kFinePixels = 4;
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-void growBy(Eigen::AlignedBox3d& box, vtkRenderer* renderer) {
-  std::array<double, 6> bounds{};
-  renderer->ComputeVisiblePropBounds(bounds.data());
-  if (bounds[0] <= bounds[1]) {
-    box.extend(Vec3(bounds[0], bounds[2], bounds[4]));
-    box.extend(Vec3(bounds[1], bounds[3], bounds[5]));
-  }
-}
 
 }  // namespace
-
-void ModelView::Impl::makeCube() {
-  cube->SetXPlusFaceText("L");
-  cube->SetXMinusFaceText("R");
-  cube->SetYPlusFaceText("P");
-  cube->SetYMinusFaceText("A");
-  cube->SetZPlusFaceText("S");
-  cube->SetZMinusFaceText("I");
-  cube->SetFaceTextScale(0.6);
-  cube->SetXFaceTextRotation(0);
-  cube->SetYFaceTextRotation(0);
-  cube->SetZFaceTextRotation(90);  // upright with the patient's front up, as the superior view shows it
-  cube->GetCubeProperty()->SetColor(0.32, 0.34, 0.38);
-  cube->GetTextEdgesProperty()->SetColor(0.1, 0.1, 0.1);
-  for (vtkProperty* face : {cube->GetXPlusFaceProperty(), cube->GetXMinusFaceProperty(), cube->GetYPlusFaceProperty(),
-                            cube->GetYMinusFaceProperty(), cube->GetZPlusFaceProperty(), cube->GetZMinusFaceProperty()}) {
-    face->SetColor(0.95, 0.95, 0.95);
-    face->SetInterpolationToFlat();
-  }
-  marker->SetOrientationMarker(cube);
-  marker->SetInteractor(scene.interactor);
-  marker->SetViewport(0.0, 0.0, 0.16, 0.2);
-  marker->SetDefaultRenderer(scene.renderer);
-  marker->SetEnabled(1);
-  marker->InteractiveOff();
-}
 
 bool ModelView::Impl::showStructures(const std::vector<std::shared_ptr<const DisplayMesh>>& ready) {
   std::map<std::string, std::unique_ptr<StructureActors>> shown;
@@ -212,13 +171,7 @@ void ModelView::Impl::prepareFrame(FrameQuality quality) {
     // not from within a frame: other views answer with frames of their own
     QMetaObject::invokeMethod(view, "cameraMoved", Qt::QueuedConnection);
   }
-  Eigen::AlignedBox3d box;
-  growBy(box, scene.renderer);
-  growBy(box, scene.overlay);
-  if (!box.isEmpty()) {
-    const std::array<double, 6> bounds{box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(), box.max().z()};
-    scene.renderer->ResetCameraClippingRange(bounds.data());
-  }
+  scene.fitClippingRange();
 }
 
 void ModelView::Impl::lookFrom(const Vec3& direction, const Vec3& up) {
@@ -233,22 +186,7 @@ void ModelView::Impl::lookFrom(const Vec3& direction, const Vec3& up) {
     box.extend(bounds.low);
     box.extend(bounds.high);
   }
-  vtkCamera* camera = scene.renderer->GetActiveCamera();
-  const double tangentUp = kFilled * std::tan(0.5 * camera->GetViewAngle() * kDegree);
-  const double tangentRight = tangentUp * view->width() / std::max(1, view->height());
-  const Vec3 right = direction.cross(up);
-  double distance = 1;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 at = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - box.center();
-    const double needed = std::max(std::abs(at.dot(up)) / tangentUp, std::abs(at.dot(right)) / tangentRight);
-    distance = std::max(distance, needed - at.dot(direction));
-  }
-  const Vec3 centre = box.center();
-  const Vec3 position = centre - distance * direction;
-  camera->SetFocalPoint(centre.data());
-  camera->SetPosition(position.data());
-  camera->SetViewUp(up.data());
-  scene.cameraByHand = false;
+  scene.lookAt(box, direction, up, static_cast<double>(view->width()) / std::max(1, view->height()));
   view->requestRender();
 }
 

@@ -1,10 +1,6 @@
 #pragma once
 // Purpose: what ModelView is made of. Private to viewer/: only .cpp files include it.
 
-#include <vtkAnnotatedCubeActor.h>
-#include <vtkNew.h>
-#include <vtkOrientationMarkerWidget.h>
-
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +10,7 @@
 #include "viewer/bend_handles.h"
 #include "viewer/measure_actors.h"
 #include "viewer/model_view.h"
+#include "viewer/orientation_cube.h"
 #include "viewer/pick_overlay.h"
 #include "viewer/plane_actors.h"
 #include "viewer/resectogram.h"
@@ -24,7 +21,12 @@
 namespace glisson {
 
 struct ModelView::Impl {
-  explicit Impl(ModelView* owner) : view(owner), scene(owner->scene()), planeActors(scene.overlay), measureActors(scene.overlay) {}
+  explicit Impl(ModelView* owner)
+      : view(owner),
+        scene(owner->scene()),
+        planeActors(scene.overlay),
+        measureActors(scene.overlay),
+        cube(scene.interactor, scene.renderer) {}
 
   ModelView* view;
   Scene& scene;
@@ -37,8 +39,7 @@ struct ModelView::Impl {
   PlaneActors planeActors;
   MeasureActors measureActors;
   std::vector<std::unique_ptr<SectionActors>> sections;  ///< one for each plane of the plan, in its order
-  vtkNew<vtkAnnotatedCubeActor> cube;
-  vtkNew<vtkOrientationMarkerWidget> marker;
+  OrientationCube cube;
   std::vector<Loop> section;
   bool sectionStale = true;
   bool sectionIsCoarse = false;
@@ -61,7 +62,6 @@ struct ModelView::Impl {
   Vec3 placedDirection = Vec3::UnitY();
   Vec3 placedUp = Vec3::UnitZ();
 
-  void makeCube();
   /// Shows the structures of `model`; true where none of those shown before is left (a new patient).
   bool showStructures(const std::vector<std::shared_ptr<const DisplayMesh>>& ready);
   void updateSection(bool coarse);

@@ -75,6 +75,7 @@ struct SliceView::Impl {
   Qt::MouseButton button = Qt::NoButton;
   bool levelling = false;
   QPointF last;
+  bool strongSurfaces = false;
   std::vector<MeshSlices> surfaces;  ///< of the visible structures, as far as they are made ready
   QPixmap cache;                     ///< everything but crosshair, plane and texts; null: draw again
 
@@ -156,8 +157,9 @@ void SliceView::Impl::drawSurfaces(QPainter& painter, const QTransform& transfor
     if (!structure.visible || surface == nullptr) {
       continue;
     }
-    const auto pale = [](std::uint8_t value) { return 255 - (255 - value) / 3; };
-    painter.setPen(QPen(QColor(pale(structure.colour.r), pale(structure.colour.g), pale(structure.colour.b)), 0.8));
+    const auto tone = [this](std::uint8_t value) { return strongSurfaces ? value : 255 - (255 - value) / 3; };
+    painter.setPen(
+        QPen(QColor(tone(structure.colour.r), tone(structure.colour.g), tone(structure.colour.b)), strongSurfaces ? 1.4 : 0.8));
     drawSegments(painter, transform, surface->outline(slice));
   }
 }
@@ -259,6 +261,11 @@ void SliceView::setModel(std::shared_ptr<const LiverModel> model) {
   if (redraw) {
     impl_->redraw();
   }
+}
+
+void SliceView::setSurfacesStrong(bool strong) {
+  impl_->strongSurfaces = strong;
+  impl_->redraw();
 }
 
 void SliceView::setPlane(std::optional<ResectionPlane> plane, std::vector<ResectionPlane> others) {

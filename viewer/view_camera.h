@@ -14,6 +14,14 @@ struct Ray {
   Vec3 direction = Vec3::UnitZ();  ///< unit
 };
 
+/// Where the camera stands.
+struct Pose {
+  Vec3 position = Vec3::Zero();
+  Vec3 focus = Vec3::Zero();
+  Vec3 up = Vec3::UnitZ();
+  bool operator==(const Pose&) const = default;
+};
+
 struct ViewCamera {
   Vec3 position = Vec3::Zero();
   Vec3 forward = Vec3::UnitY();  ///< unit

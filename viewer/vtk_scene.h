@@ -7,10 +7,12 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <Eigen/Geometry>
 #include <QTimer>
 #include <functional>
 
 #include "viewer/frame_budget.h"
+#include "viewer/view_camera.h"
 #include "viewer/vtk_widget.h"
 
 namespace glisson {
@@ -39,6 +41,15 @@ struct VtkWidget::Scene {
   void touch();
   /// Takes this plan for the frame being drawn: depth peeling and smooth edges or not.
   void use(const FramePlan& plan);
+  [[nodiscard]] Pose pose() const;
+  /// As if the user had moved the camera there.
+  void setPose(const Pose& pose);
+  /// For a view of this size, logical pixels.
+  [[nodiscard]] ViewCamera camera(int width, int height) const;
+  /// Places the camera so that the box fills the view, `aspect` = width / height. Unit vectors, mm LPS.
+  void lookAt(const Eigen::AlignedBox3d& box, const Vec3& direction, const Vec3& up, double aspect);
+  /// So that nothing seen is cut off in depth.
+  void fitClippingRange();
 };
 
 }  // namespace glisson

@@ -111,6 +111,23 @@ void VtkWidget::prepareSurfaceFormat() {
 
 void VtkWidget::requestRender() { update(); }
 
+QImage VtkWidget::picture() {
+  if (!isValid() && !window()->isVisible()) {
+    // OpenGL needs a window: make one that nobody sees.
+    QWidget* top = window();
+    top->setAttribute(Qt::WA_DontShowOnScreen);
+    top->show();
+    QImage image = picture();
+    top->hide();
+    top->setAttribute(Qt::WA_DontShowOnScreen, false);
+    return image;
+  }
+  scene_->picture = true;
+  QImage image = grabFramebuffer();
+  scene_->picture = false;
+  return image;
+}
+
 VtkWidget::Scene& VtkWidget::scene() { return *scene_; }
 
 void VtkWidget::initializeGL() {

@@ -3,6 +3,7 @@
 // the VTK interactor, in device pixels. VTK types stay out of this header. While something moves, frames are drawn without depth
 // peeling; the resting frame follows 150 ms later.
 
+#include <QImage>
 #include <QOpenGLWidget>
 #include <memory>
 
@@ -18,6 +19,8 @@ class VtkWidget : public QOpenGLWidget {
   static void prepareSurfaceFormat();
   /// Draws again soon; several calls make one frame.
   void requestRender();
+  /// What is seen, after all pending changes, with depth peeling. A null image where OpenGL is not available.
+  [[nodiscard]] QImage picture();
 
  protected:
   struct Scene;  ///< render window, renderer, interactor (viewer/vtk_scene.h, VTK types)

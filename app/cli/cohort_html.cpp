@@ -6,11 +6,14 @@
 #include "app/cli/cohort_plot.h"
 #include "app/cli/cohort_summary.h"
 #include "app/cli/html_table.h"
-#include "app/cli/svg.h"
+#include "app/lab/svg.h"
 #include "planning/exchange/version.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
+
+using lab::escaped;
+using lab::tickText;
 
 namespace {
 

@@ -2,10 +2,20 @@
 
 #include <algorithm>
 
-#include "app/cli/svg.h"
+#include "app/lab/svg.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
+
+using lab::Axis;
+using lab::Mark;
+using lab::Pixel;
+using lab::svgLine;
+using lab::svgMark;
+using lab::svgPath;
+using lab::svgPicture;
+using lab::svgText;
+using lab::tickText;
 
 namespace {
 

@@ -5,12 +5,16 @@
 
 #include "app/cli/evaluate_plots.h"
 #include "app/cli/html_table.h"
-#include "app/cli/svg.h"
+#include "app/lab/accuracy_svg.h"
+#include "app/lab/svg.h"
 #include "planning/exchange/version.h"
 #include "reconstruction/methods/methods.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
+
+using lab::escaped;
+using lab::tickText;
 
 namespace {
 
@@ -45,7 +49,7 @@ class Report {
   [[nodiscard]] std::string html() const {
     const std::string title = label_.chosen.name + ": PSR and MCSD compared";
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +
-           "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + std::string(reportSheet()) +
+           "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + reportSheet() +
            "</style>\n</head>\n<body>\n<main>\n<h1>" + escaped(title) + "</h1>\n" + facts() + cards() + accuracy() + scores() +
            comparison() + others() + errors() + curvature() + times() + everything() + notes() + "</main>\n</body>\n</html>\n";
   }
@@ -133,7 +137,7 @@ std::string Report::accuracy() const {
       "Accuracy and complexity",
       "As Fig. 7. Each mark is a model; further down and further left is better. No model of a front's families lies "
       "below and left of it.",
-      accuracyPlot(all_));
+      lab::accuracySvg(all_));
 }
 
 std::string Report::scores() const {

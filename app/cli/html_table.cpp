@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/svg.h"
+#include "app/lab/svg.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
 
+using lab::escaped;
+using lab::tickText;
+
 namespace {
 
 constexpr std::string_view kReportSheet = R"(
-:root { color-scheme: light; --ink: #1d2733; --faint: #5d6b7a; --line: #dfe4ea; --psr: #c2361c; --mcsd: #3f74b5; --simplified: #1d8348; --other: #7d3c98; }
+:root { color-scheme: light; --ink: #1d2733; --faint: #5d6b7a; --line: #dfe4ea; }
 body { margin: 0; background: #f5f7f9; color: var(--ink); font: 15px/1.5 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
 main { max-width: 1120px; margin: 0 auto; padding: 28px 24px 60px; }
 h1 { font-size: 25px; margin: 0 0 2px; } h2 { font-size: 17px; margin: 0 0 4px; }
@@ -26,21 +29,12 @@ th { font-weight: 600; } th:first-child, td:first-child { text-align: left; padd
 td.least { font-weight: 700; background: #fdf3e1; } td.text { text-align: left; white-space: normal; min-width: 17em; }
 table.all { font-size: 13px; width: 100%; } table.all th:last-child { text-align: left; } table.all td, table.all th { padding: 2px 7px; }
 summary { cursor: pointer; font-weight: 600; }
-svg { width: 100%; height: auto; display: block; } svg text { font-size: 12px; fill: var(--ink); }
-svg .tick { fill: var(--ink); } svg .faint { fill: var(--faint); } svg .axis { fill: var(--faint); }
-svg .grid { stroke: var(--line); } svg .label { font-weight: 600; paint-order: stroke; stroke: #fff; stroke-width: 4px; }
-svg .leader { stroke: var(--faint); } svg .ring { fill: none; stroke: var(--ink); stroke-width: 1.5; }
-svg .psr { fill: var(--psr); } svg .mcsd { fill: var(--mcsd); fill-opacity: .75; } svg .simplified { fill: var(--simplified); }
-svg .other { fill: var(--other); }
-svg .front { fill: none; stroke: var(--ink); stroke-width: 1.5; }
-svg .front2 { fill: none; stroke: var(--simplified); stroke-width: 1.5; stroke-dasharray: 6 4; }
-svg .patient { fill: none; stroke: var(--line); stroke-width: 2; }
-svg .box { fill-opacity: .35; stroke: var(--ink); } svg .whisker { stroke: var(--ink); } svg .median { stroke: var(--ink); stroke-width: 2.5; }
+svg { width: 100%; height: auto; display: block; }
 )";
 
 }  // namespace
 
-std::string_view reportSheet() { return kReportSheet; }
+std::string reportSheet() { return std::string(kReportSheet) + std::string(lab::plotSheet()); }
 
 std::string htmlTable(const std::vector<std::string>& headings, const std::vector<TableRow>& rows) {
   std::string html = "<table>\n<tr>";

@@ -9,7 +9,7 @@
 namespace glisson::cli {
 
 /// CSS, for the pictures of evaluate_plots.h as well.
-std::string_view reportSheet();
+std::string reportSheet();
 
 struct Cell {
   std::string text;

@@ -15,6 +15,7 @@
 #include "app/gui/export_panel.h"
 #include "app/gui/island_box.h"
 #include "app/gui/job_bar.h"
+#include "app/gui/lab_workspace.h"
 #include "app/gui/main_actions.h"
 #include "app/gui/measure_box.h"
 #include "app/gui/message_bar.h"
@@ -66,7 +67,8 @@ void MainWindow::build() {
   workspaces_ = new WorkspaceBar(centre);
   title_ = new TitleLine(*document_, centre);
   messages_ = new MessageBar(centre);
-  splitter_ = new QSplitter(Qt::Horizontal, centre);
+  pages_ = new QStackedWidget(centre);
+  splitter_ = new QSplitter(Qt::Horizontal, pages_);
   left_ = new StructureList(*document_, splitter_);
   middle_ = new QStackedWidget(splitter_);
   right_ = new QStackedWidget(splitter_);
@@ -88,6 +90,9 @@ void MainWindow::build() {
   splitter_->setStretchFactor(1, 1);
   splitter_->setChildrenCollapsible(false);
   splitter_->setSizes({250, 770, 300});
+  lab_ = new LabWorkspace(*document_, jobs_, pages_);
+  pages_->addWidget(splitter_);
+  pages_->addWidget(lab_);
   jobBar_ = new JobBar(jobs_, centre);
 
   auto* column = new QVBoxLayout(centre);
@@ -96,14 +101,16 @@ void MainWindow::build() {
   column->addWidget(workspaces_);
   column->addWidget(title_);
   column->addWidget(messages_);
-  column->addWidget(splitter_, 1);
+  column->addWidget(pages_, 1);
   column->addWidget(jobBar_);
   setCentralWidget(centre);
 }
 
 void MainWindow::connectParts() {
-  connect(workspaces_, &WorkspaceBar::chosen, this,
-          [this](Workspace workspace) { right_->setCurrentIndex(static_cast<int>(workspace)); });
+  connect(workspaces_, &WorkspaceBar::chosen, this, &MainWindow::showWorkspace);
+  connect(lab_, &LabWorkspace::refused, this, &MainWindow::complain);
+  connect(lab_, &LabWorkspace::written, this,
+          [this](const QString& path) { jobBar_->tell(tr("Written: %1").arg(QDir::toNativeSeparators(path))); });
   connect(start_, &StartPage::sampleRequested, opener_, &CaseOpener::openSample);
   connect(start_, &StartPage::openRequested, this, &MainWindow::openFiles);
   connect(start_, &StartPage::recentRequested, this, [this](const QString& path) { opener_->openPaths({path}); });
@@ -230,6 +237,15 @@ void MainWindow::onCaseChanged() {
   refreshTitle();
 }
 
+void MainWindow::showWorkspace(Workspace workspace) {
+  if (workspace == Workspace::Compare) {
+    pages_->setCurrentWidget(lab_);
+    return;
+  }
+  pages_->setCurrentWidget(splitter_);
+  right_->setCurrentIndex(static_cast<int>(workspace));
+}
+
 void MainWindow::complain(const QString& message) {
   messages_->add(message);
   emit failed(message);
@@ -243,6 +259,7 @@ void MainWindow::refreshStates() {
   workspaces_->setState(Workspace::Model, open ? tr("%1 of %2 made").arg(total - builder_->missing()).arg(total) : QString());
   workspaces_->setState(Workspace::Plan, !open ? QString() : document_->plane() ? tr("plane placed") : tr("no plane yet"));
   workspaces_->setState(Workspace::Export, open ? export_->stateText() : QString());
+  workspaces_->setState(Workspace::Compare, open ? tr("methods") : QString());
   actions_->refresh();
   actions_->setPanelsShown(leftWanted_, rightWanted_);
 }

@@ -18,6 +18,7 @@ namespace glisson {
 
 class ExportPanel;
 class JobBar;
+class LabWorkspace;
 class MainActions;
 class MessageBar;
 class PlanPanel;
@@ -43,6 +44,7 @@ class MainWindow : public Translated<QMainWindow> {
   [[nodiscard]] TitleLine& titleLine() { return *title_; }
   [[nodiscard]] Language& language() { return language_; }
   [[nodiscard]] WorkspaceBar& workspaces() { return *workspaces_; }
+  [[nodiscard]] LabWorkspace& lab() { return *lab_; }
 
   // What the menu does.
   void openFiles();
@@ -80,6 +82,7 @@ class MainWindow : public Translated<QMainWindow> {
   void connectParts();
   void onOpened(const Case& content, const std::shared_ptr<CaseFile>& file);
   void onCaseChanged();
+  void showWorkspace(Workspace workspace);
   void readCtLater();
   void complain(const QString& message);
   void bend(bool shown, bool group);
@@ -98,6 +101,7 @@ class MainWindow : public Translated<QMainWindow> {
   WorkspaceBar* workspaces_;
   TitleLine* title_;
   MessageBar* messages_;
+  QStackedWidget* pages_;  ///< the case with its panels, the lab
   QSplitter* splitter_;
   QWidget* left_;
   QStackedWidget* middle_;
@@ -107,6 +111,7 @@ class MainWindow : public Translated<QMainWindow> {
   PlanPanel* plan_;
   PlanePlacer* placer_;
   ExportPanel* export_;
+  LabWorkspace* lab_;
   JobBar* jobBar_;
   MainActions* actions_ = nullptr;
   bool leftWanted_ = true;

@@ -13,10 +13,16 @@ namespace glisson {
 
 QImage pictureOf(MainWindow& window) {
   QImage picture = window.grab().toImage();
-  ModelView& view = window.views().modelView();
-  if (view.isVisible()) {
-    QPainter painter(&picture);
-    painter.drawImage(QRect(view.mapTo(&window, QPoint(0, 0)), view.size()), view.picture());
+  QPainter painter(&picture);
+  for (VtkWidget* view : window.findChildren<VtkWidget*>()) {
+    if (view->isVisible()) {
+      painter.drawImage(QRect(view->mapTo(&window, QPoint(0, 0)), view->size()), view->picture());
+      for (QWidget* over : view->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+        if (over->isVisible()) {
+          over->render(&painter, over->mapTo(&window, QPoint(0, 0)), {}, QWidget::DrawChildren);
+        }
+      }
+    }
   }
   return picture;
 }

@@ -11,7 +11,7 @@ namespace glisson {
 
 class MainWindow;
 
-/// The window as it is now; the 3D view as ModelView::picture() gives it.
+/// The window as it is now; the 3D views as VtkWidget::picture() gives them, with what lies over them.
 QImage pictureOf(MainWindow& window);
 
 class ScreenshotTaker : public QObject {

@@ -2,7 +2,7 @@
 
 #include "app/gui/rating_window.h"
 #include "planning/case/liver_model.h"
-#include "reconstruction/evaluation/recipe.h"
+#include "reconstruction/evaluation/model_mesh.h"
 
 namespace glisson {
 
@@ -29,19 +29,13 @@ std::vector<RatedSurface> makeSurfaces(const Case& content, const ExecutionConte
   for (std::size_t n = 0; n < recipes.size(); ++n) {
     const auto at = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(recipes.size()); };
     const ExecutionContext share = context.range(at(n), at(n + 1));
-    SurfaceMesh mesh;
-    if (recipes[n].family == ModelFamily::Mcsd) {
-      mesh = reconstructMcsd(mask, geometry, mcsdOf(recipes[n]), share).mesh;
-    } else {
-      PoissonResult made = reconstructPoisson(mask, geometry, poissonOf(recipes[n], {}), share);
-      if (made.usedDepth < recipes[n].depth) {
-        continue;  // the voxels carry no more: it would be the last one again
-      }
-      mesh = std::move(made.mesh);
+    ModelMesh made = makeModelMesh(mask, geometry, recipes[n], {}, share);
+    if (made.usedDepth < recipes[n].depth) {
+      continue;  // the voxels carry no more: it would be the last one again
     }
     const std::string method = recipes[n].family == ModelFamily::Mcsd ? "MCSD" : "PSR";
     surfaces.push_back(
-        ratedSurface({content.code + "/" + modelId(recipes[n]), method, content.code}, std::move(mesh), surroundings));
+        ratedSurface({content.code + "/" + modelId(recipes[n]), method, content.code}, std::move(made.mesh), surroundings));
   }
   return surfaces;
 }

@@ -11,7 +11,7 @@ WorkspaceBar::WorkspaceBar(QWidget* parent) : Translated<QWidget>(parent), row_(
   row_->setContentsMargins(4, 2, 4, 2);
   row_->setSpacing(4);
   auto* group = new QButtonGroup(this);
-  constexpr std::array kNames{"workspaceCase", "workspaceModel", "workspacePlan", "workspaceExport"};
+  constexpr std::array kNames{"workspaceCase", "workspaceModel", "workspacePlan", "workspaceExport", "workspaceCompare"};
   for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
     auto* button = new QToolButton(this);
     button->setObjectName(kNames[i]);
@@ -19,6 +19,9 @@ WorkspaceBar::WorkspaceBar(QWidget* parent) : Translated<QWidget>(parent), row_(
     button->setMinimumWidth(130);
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     group->addButton(button);
+    if (static_cast<Workspace>(i) == Workspace::Compare) {
+      row_->addStretch(1);
+    }
     row_->addWidget(button);
     buttons_[i] = button;
     connect(button, &QToolButton::clicked, this, [this, i] {
@@ -26,13 +29,13 @@ WorkspaceBar::WorkspaceBar(QWidget* parent) : Translated<QWidget>(parent), row_(
       emit chosen(current_);
     });
   }
-  row_->addStretch(1);
+  row_->addSpacing(8);
   buttons_[0]->setChecked(true);
   retranslateUi();
 }
 
 void WorkspaceBar::retranslateUi() {
-  const std::array names{tr("Case"), tr("Model"), tr("Plan"), tr("Export")};
+  const std::array names{tr("Case"), tr("Model"), tr("Plan"), tr("Export"), tr("Compare")};
   for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
     buttons_[i]->setText(names[i] + '\n' + (states_[i].isEmpty() ? QStringLiteral(" ") : states_[i]));
     const bool usable = caseOpen_ || i == 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Purpose: the line at the top: Case -> Model -> Plan -> Export, each with what is done or next; undo and redo at its end.
+// Purpose: the line at the top: Case -> Model -> Plan -> Export, each with what is done or next; at its end Compare, undo and redo.
 
 #include <QAction>
 #include <QWidget>
@@ -12,8 +12,9 @@ class QToolButton;
 
 namespace glisson {
 
-enum class Workspace : std::uint8_t { Case, Model, Plan, Export };
-inline constexpr std::size_t kWorkspaceCount = 4;
+/// Compare, for engineers, stands apart from the four that follow one another.
+enum class Workspace : std::uint8_t { Case, Model, Plan, Export, Compare };
+inline constexpr std::size_t kWorkspaceCount = 5;
 
 class WorkspaceBar : public Translated<QWidget> {
   Q_OBJECT

@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 
+#include "planning/case/structure_mask.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/mesh/self_intersection.h"
 #include "reconstruction/sample/sample_patient.h"
@@ -97,6 +98,8 @@ std::vector<Structure> listStructures(const Segmentation& segmentation, std::vec
   return structures;
 }
 
+}  // namespace
+
 const Mask& maskOf(const Case& source, const Structure& structure) {
   if (structure.kind == StructureKind::Liver) {
     return source.liver->liver;
@@ -108,7 +111,6 @@ const Mask& maskOf(const Case& source, const Structure& structure) {
   }
   return *all[static_cast<std::size_t>(structure.sourceIndex)].mask;
 }
-}  // namespace
 
 Structure withReconstruction(Structure structure, std::shared_ptr<const Reconstruction> reconstruction) {
   structure.reconstruction = std::move(reconstruction);

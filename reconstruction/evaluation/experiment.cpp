@@ -5,7 +5,7 @@
 #include <map>
 
 #include "reconstruction/errors.h"
-#include "reconstruction/mesh/sharp_edges.h"
+#include "reconstruction/evaluation/model_mesh.h"
 #include "reconstruction/mesh/simplify.h"
 #include "reconstruction/methods/methods.h"
 #include "reconstruction/parallel.h"
@@ -89,8 +89,7 @@ Places Experiment::placesOf(std::initializer_list<ModelFamily> families) const {
 void Experiment::measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const {
   const auto start = Clock::now();
   try {
-    model.measures = reference_.measure(mesh, context);
-    model.measures->shipped = measureAsShipped(model.recipe.family == ModelFamily::Mcsd ? splitAtSharpEdges(mesh) : mesh);
+    model.measures = measureModel(mesh, model.recipe, reference_, context);
   } catch (const Error& error) {
     model.failure = error.what();
   }
@@ -127,9 +126,8 @@ void Experiment::finishPoisson(std::size_t place, const Poisson& poisson, const 
   SurfaceMesh fewer;
   if (model.failure.empty() && simplified) {
     const auto start = Clock::now();
-    const std::size_t target = std::max<std::size_t>(4, mesh->triangles.size() / static_cast<std::size_t>(model.recipe.divisor));
     try {
-      fewer = simplify(*mesh, {.triangles = target}, context);
+      fewer = simplify(*mesh, {.triangles = simplifiedCount(mesh->triangles.size(), model.recipe)}, context);
       mesh = &fewer;
     } catch (const Error& error) {
       model.failure = error.what();
@@ -208,20 +206,17 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
 Other Experiment::otherOf(const ModelRecipe& recipe, const ExecutionContext& context) const {
   Other made;
   try {
-    const MethodVariant& variant = variantOf(listedMethod(recipe.method), recipe.variant);
     std::optional<ModelSeconds> best;
     for (int run = 0; run < options_.timings; ++run) {
-      MethodSurface surface = variant.make({mask_, geometry_, options_.sampling, options_.scale}, context);
-      keepQuicker(best, {.sample = surface.sampleSeconds,
-                         .solve = surface.solveSeconds,
-                         .extract = surface.extractSeconds,
-                         .simplify = surface.simplifySeconds});
-      made.mesh = std::move(surface.mesh);
-      made.usedDepth = surface.usedDepth;
+      ModelMesh model = makeModelMesh(mask_, geometry_, recipe, options_, context);
+      keepQuicker(best, model.seconds);
+      made.mesh = std::move(model.mesh);
+      made.usedDepth = model.usedDepth;
     }
     made.seconds = *best;
-    if (variant.depth != 0 && made.usedDepth != variant.depth) {
-      made.failure = tooSmallFor(variant.depth, made.usedDepth);
+    const int wanted = variantOf(listedMethod(recipe.method), recipe.variant).depth;
+    if (wanted != 0 && made.usedDepth != wanted) {
+      made.failure = tooSmallFor(wanted, made.usedDepth);
     }
   } catch (const Error& error) {
     made.failure = error.what();

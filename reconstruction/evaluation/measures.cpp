@@ -66,7 +66,7 @@ ModelMeasures EvaluationReference::measure(const SurfaceMesh& mesh, const Execut
   const std::vector<double> paper = sorted(toMesh.to(points_, context));
   measures.paperErrorMm = summarise(paper);
   measures.paperErrorBoxMm = boxPlotOf(paper);
-  const std::vector<double> there = sorted(toLevelSet_->to(mesh.vertices, context));
+  const std::vector<double> there = sorted(distancesToVoxels(mesh.vertices, context));
   const std::vector<double> back = sorted(toMesh.to(levelSet_.vertices, context));
   measures.meshToVoxelsMm = summarise(there);
   measures.voxelsToMeshMm = summarise(back);
@@ -75,6 +75,10 @@ ModelMeasures EvaluationReference::measure(const SurfaceMesh& mesh, const Execut
   std::merge(there.begin(), there.end(), back.begin(), back.end(), std::back_inserter(pooled));
   measures.voxelErrorMm = summarise(std::move(pooled));
   return measures;
+}
+
+std::vector<double> EvaluationReference::distancesToVoxels(std::span<const Vec3> points, const ExecutionContext& context) const {
+  return toLevelSet_->to(points, context);
 }
 
 }  // namespace glisson

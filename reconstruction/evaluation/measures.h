@@ -3,6 +3,7 @@
 // Of the three errors of method.md 4 there are two: the true error needs an analytic body, and a label map has none.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ class EvaluationReference {
   /// Everything but `shipped`, self-intersections counted. paperErrorMm and voxelErrorMm are those of paperError() and
   /// voxelError(). Throws ReconstructionError where the mesh has no triangles. Polls cancel.
   [[nodiscard]] ModelMeasures measure(const SurfaceMesh& mesh, const ExecutionContext& context = {}) const;
+  /// Of each point to the mask's 0.5 level set, mm: of a mesh's vertices, what meshToVoxelsMm sums up. Polls cancel.
+  [[nodiscard]] std::vector<double> distancesToVoxels(std::span<const Vec3> points, const ExecutionContext& context = {}) const;
 
  private:
   std::vector<Vec3> points_;

@@ -11,6 +11,7 @@
 
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/model_json.h"
+#include "reconstruction/evaluation/model_mesh.h"
 #include "reconstruction/mesh/self_intersection.h"
 #include "reconstruction/mesh/sharp_edges.h"
 #include "reconstruction/mesh/simplify.h"
@@ -108,6 +109,38 @@ TEST(Experiment, MeasuresEachModelAsTheSingleFunctionsDo) {
   EXPECT_EQ(models[1].name(), "PSR d=6, 1/16");
   // Marching cubes lies on the level set: the reference finds no error either way.
   EXPECT_LT(models[3].measures->voxelErrorMm.max, 1e-5);
+}
+
+TEST(Experiment, OneModelAloneIsTheOneThatWasMeasured) {
+  const Body body = ellipsoid();
+  const EvaluationReference reference(body.mask, body.geometry);
+  const std::vector<EvaluatedModel> models = make(body, kFew);
+  for (std::size_t n = 0; n < kFew.size(); ++n) {
+    const ModelMesh alone = makeModelMesh(body.mask, body.geometry, kFew[n], {});
+    EvaluatedModel model;
+    model.recipe = kFew[n];
+    model.usedDepth = alone.usedDepth;
+    model.measures = measureModel(alone.mesh, kFew[n], reference);
+    EXPECT_EQ(withoutTimes(model), withoutTimes(models[n])) << modelName(kFew[n]);
+    expectSame(summarise(reference.distancesToVoxels(alone.mesh.vertices)), models[n].measures->meshToVoxelsMm);
+    EXPECT_GT(alone.seconds.total(), 0);
+  }
+}
+
+TEST(Experiment, OneModelAloneOfADepthTooDeepIsMadeAtTheDeepest) {
+  const Body body = ellipsoid();
+  const ModelMesh alone = makeModelMesh(body.mask, body.geometry, {.family = ModelFamily::Psr, .depth = 9}, {});
+  EXPECT_EQ(alone.usedDepth, 6);
+  EXPECT_FALSE(alone.mesh.empty());
+}
+
+TEST(Experiment, OneModelAloneStopsOnCancel) {
+  const Body body = ellipsoid();
+  const ExecutionContext context;
+  context.cancel();
+  for (const ModelRecipe& recipe : kFew) {
+    EXPECT_THROW(makeModelMesh(body.mask, body.geometry, recipe, {}, context), Cancelled) << modelName(recipe);
+  }
 }
 
 TEST(Experiment, SplitNormalsTakeTheMeshApartAndInflateItsCurvature) {

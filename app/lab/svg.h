@@ -1,12 +1,12 @@
 #pragma once
-// Purpose: the little SVG that the report of `evaluate` needs: axes with round ticks, lines, marks, text. Lengths are pixels, y
+// Purpose: the little SVG that pictures of the experiment need: axes with round ticks, lines, marks, text. Lengths are pixels, y
 // downwards.
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace glisson::cli {
+namespace glisson::lab {
 
 /// For text and attributes of HTML and SVG: & < > " ' as entities, control characters as blanks.
 std::string escaped(std::string_view text);
@@ -35,8 +35,12 @@ struct Pixel {
   double y = 0;
 };
 
-/// The picture that holds `content`, as wide as its place; `title` is escaped here.
+/// A picture to stand in an HTML page that has plotSheet().
 std::string svgPicture(double width, double height, std::string_view title, const std::string& content);
+/// A file of its own: with its style sheet and a white ground. `picture` is what svgPicture() gives.
+std::string svgFile(const std::string& picture);
+/// CSS of all the classes that pictures use.
+std::string_view plotSheet();
 
 /// Elements; `style` is a class of the sheet.
 std::string svgLine(const Pixel& from, const Pixel& to, std::string_view style);
@@ -52,4 +56,4 @@ std::string svgMark(Mark mark, const Pixel& at, double radius, std::string_view 
 /// Whole numbers with thin blanks between thousands, others with as many digits as they need: "88 592", "0.25".
 std::string tickText(double value);
 
-}  // namespace glisson::cli
+}  // namespace glisson::lab

@@ -1,11 +1,11 @@
-#include "app/cli/svg.h"
+#include "app/lab/svg.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "reconstruction/text.h"
 
-namespace glisson::cli {
+namespace glisson::lab {
 
 namespace {
 
@@ -23,7 +23,34 @@ std::string pathOf(const std::vector<Pixel>& corners) {
   return path;
 }
 
+constexpr std::string_view kPlotSheet = R"(
+svg text { font: 12px system-ui, "Segoe UI", "DejaVu Sans", sans-serif; fill: #1d2733; }
+svg .tick { fill: #1d2733; } svg .faint { fill: #5d6b7a; } svg .axis { fill: #5d6b7a; }
+svg .grid { stroke: #dfe4ea; } svg .label { font-weight: 600; paint-order: stroke; stroke: #fff; stroke-width: 4px; }
+svg .leader { stroke: #5d6b7a; } svg .ring { fill: none; stroke: #1d2733; stroke-width: 1.5; }
+svg .psr { fill: #c2361c; } svg .mcsd { fill: #3f74b5; fill-opacity: .75; } svg .simplified { fill: #1d8348; }
+svg .other { fill: #7d3c98; } svg .patient { fill: none; stroke: #dfe4ea; stroke-width: 2; }
+svg .front { fill: none; stroke: #1d2733; stroke-width: 1.5; }
+svg .front2 { fill: none; stroke: #1d8348; stroke-width: 1.5; stroke-dasharray: 6 4; }
+svg .box { fill-opacity: .35; stroke: #1d2733; } svg .whisker { stroke: #1d2733; } svg .median { stroke: #1d2733; stroke-width: 2.5; }
+)";
+
 }  // namespace
+
+std::string_view plotSheet() { return kPlotSheet; }
+
+std::string svgPicture(double width, double height, std::string_view title, const std::string& content) {
+  return "<svg viewBox=\"0 0 " + formatNumber(width, 0) + " " + formatNumber(height, 0) + "\" role=\"img\" aria-label=\"" +
+         escaped(title) + "\">\n" + content + "</svg>\n";
+}
+
+std::string svgFile(const std::string& picture) {
+  const std::size_t rest = std::string_view("<svg").size();
+  const std::size_t inside = picture.find('>') + 1;
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
+         picture.substr(rest, inside - rest) + "\n<style>" + std::string(kPlotSheet) +
+         "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>" + picture.substr(inside);
+}
 
 std::string escaped(std::string_view text) {
   std::string safe;
@@ -62,8 +89,9 @@ double Axis::at(double value) const {
 std::vector<double> Axis::ticks(int wanted) const {
   std::vector<double> values;
   if (logarithmic_) {
+    const auto first = static_cast<int>(std::floor(std::log10(low_)));
     const auto last = static_cast<int>(std::floor(std::log10(high_)));
-    for (auto exponent = static_cast<int>(std::floor(std::log10(low_))); exponent <= last; ++exponent) {
+    for (int exponent = first; exponent <= last; ++exponent) {
       const double power = std::pow(10.0, exponent);
       for (const double step : {1.0, 2.0, 5.0}) {
         if (step * power >= low_ && step * power <= high_) {
@@ -134,4 +162,4 @@ std::string tickText(double value) {
   return text;
 }
 
-}  // namespace glisson::cli
+}  // namespace glisson::lab
