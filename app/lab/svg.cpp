@@ -112,11 +112,6 @@ std::vector<double> Axis::ticks(int wanted) const {
   return values;
 }
 
-std::string svgPicture(double width, double height, std::string_view title, const std::string& content) {
-  return "<svg viewBox=\"0 0 " + formatNumber(width, 0) + " " + formatNumber(height, 0) + "\" role=\"img\" aria-label=\"" +
-         escaped(title) + "\">\n" + content + "</svg>\n";
-}
-
 std::string svgLine(const Pixel& from, const Pixel& to, std::string_view style) { return svgPath({from, to}, style); }
 
 std::string svgPath(const std::vector<Pixel>& corners, std::string_view style) {

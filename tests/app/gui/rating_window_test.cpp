@@ -173,7 +173,7 @@ TEST_F(RatingWindowTest, EqualSurfacesOfTwoMethodsGiveTheSamePictureWhateverWasT
   auto* view = find<ModelView>("ratingView");
   const QImage first = view->picture();
   ASSERT_FALSE(first.isNull());
-  const ModelView::Pose pose = view->pose();
+  const Pose pose = view->pose();
   view->setStandardView(ModelView::StandardView::Superior);
   EXPECT_NE(view->picture(), first);
   press(3);
