@@ -13,8 +13,8 @@ std::string csvCell(std::string_view text);
 /// The cells, separated, with the end of the line.
 std::string csvLine(const std::vector<std::string>& cells);
 
-/// The cells of one line without its end, as texts. Nothing where a quote is not closed, stands inside a cell that begins with none,
-/// or has something behind it.
+/// The cells of one line without its end, as texts. Nothing where a quote is not closed, stands inside a cell that begins with
+/// none, or has something behind it.
 std::optional<std::vector<std::string>> csvCells(std::string_view line, char separator = ',');
 
 /// Lines of cells, as texts. Ends of lines may be those of Windows, and a byte order mark is passed over: spreadsheets write both.

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "planning/exchange/atomic_file.h"
-#include "reconstruction/errors.h"
 #include "reconstruction/csv.h"
+#include "reconstruction/errors.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {

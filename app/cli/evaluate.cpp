@@ -70,8 +70,7 @@ int evaluateOne(const Flags& flags, const ExecutionContext& context) {
 }
 
 int evaluateMany(const Flags& flags, const ExecutionContext& context) {
-  CohortToEvaluate cohort{
-      .list = readCohortList(flags.cohort), .options = optionsOf(flags), .recipes = recipesOf(flags.methods)};
+  CohortToEvaluate cohort{.list = readCohortList(flags.cohort), .options = optionsOf(flags), .recipes = recipesOf(flags.methods)};
   if (flags.count) {
     std::cout << cohort.list.entries.size() << '\n';
     return kDone;

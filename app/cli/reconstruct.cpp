@@ -67,8 +67,8 @@ std::string summaryOf(const Made& made) {
   const std::string volume =
       std::isfinite(result.meshVolumeMl) ? formatNumber(result.meshVolumeMl, 2) + " mL" : "no volume of an open mesh";
   std::string line = made.output.string() + ": " + result.parameters.describe() + ", " +
-                     std::to_string(result.mesh.triangles.size()) + " triangles, " + volume + " (voxels " + formatNumber(result.voxelVolumeMl, 2) + " mL), " + formatNumber(result.seconds.total(), 2) +
-                     " s";
+                     std::to_string(result.mesh.triangles.size()) + " triangles, " + volume + " (voxels " +
+                     formatNumber(result.voxelVolumeMl, 2) + " mL), " + formatNumber(result.seconds.total(), 2) + " s";
   for (const auto* list : {&result.notes, &result.deviations}) {
     for (const std::string& note : *list) {
       line += "\n  note: " + note;

@@ -30,7 +30,10 @@ IslandBox::IslandBox(Document& document, QWidget* parent)
   layout->addWidget(list_);
   connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* row, int column) {
     if (!refreshing_ && column == 0) {
-      give(*row);
+      // not within the list's own signal: the new numbers fill the list anew
+      QMetaObject::invokeMethod(
+          this, [this, at = list_->indexOfTopLevelItem(row), away = row->checkState(0) == Qt::Checked] { give(at, away); },
+          Qt::QueuedConnection);
     }
   });
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) {
@@ -72,10 +75,14 @@ void IslandBox::refresh() {
   refreshing_ = false;
 }
 
-void IslandBox::give(QTreeWidgetItem& row) {
-  const IslandAssessment island = document_.assessment().islands[static_cast<std::size_t>(list_->indexOfTopLevelItem(&row))];
+void IslandBox::give(int index, bool away) {
+  const std::vector<IslandAssessment>& islands = document_.assessment().islands;
+  if (index < 0 || static_cast<std::size_t>(index) >= islands.size()) {
+    return;  // the plan has changed since the click
+  }
+  const IslandAssessment island = islands[static_cast<std::size_t>(index)];
   try {
-    if (row.checkState(0) == Qt::Checked) {
+    if (away) {
       document_.edit(AssignIsland{{.point = island.point, .to = otherSide(island.side)}});
       return;
     }

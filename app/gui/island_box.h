@@ -8,7 +8,6 @@
 #include "app/gui/translated.h"
 
 class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace glisson {
 
@@ -26,7 +25,8 @@ class IslandBox final : public Translated<QGroupBox> {
 
  private:
   void refresh();
-  void give(QTreeWidgetItem& row);
+  /// The island of this place in the assessment to the other side, or back.
+  void give(int index, bool away);
 
   Document& document_;
   QTreeWidget* list_;

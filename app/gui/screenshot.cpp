@@ -52,8 +52,10 @@ void ScreenshotTaker::proceed() {
   }
   if (placePlane_ && !document.plane()) {
     placePlane_ = false;
-    window_.placer().placeAsSeen();  // its numbers are computed in a job, whose end comes back here
-    return;
+    window_.placer().placeAsSeen();
+    if (document.freshness() != Freshness::All || !jobs_.idle()) {
+      return;  // its numbers are computed in a job, whose end comes back here
+    }
   }
   window_.workspaces().setCurrent(Workspace::Plan);
   // two turns of the event loop: layouts settle, then the views draw what they were told

@@ -82,8 +82,7 @@ std::string legend(const Evaluation& evaluation) {
     content += svgMark(look.mark, {x, y}, 5, look.style, "") + svgText({x + 11, y + 4}, look.name, "start", "tick");
     x += 44 + 5.8 * static_cast<double>(std::string_view(look.name).size());
   }
-  for (const auto& [style, name] :
-       {std::pair("front", "front of PSR and MCSD"), std::pair("front2", "of simplified PSR")}) {
+  for (const auto& [style, name] : {std::pair("front", "front of PSR and MCSD"), std::pair("front2", "of simplified PSR")}) {
     content += svgLine({x, y}, {x + 24, y}, style) + svgText({x + 30, y + 4}, name, "start", "tick");
     x += 50 + 6.4 * static_cast<double>(std::string_view(name).size());
   }

@@ -300,14 +300,14 @@ PlanAssessment PlanAssessor::assess(const ResectionPlan& source) const {
   std::vector<TumourAssessment> tumours;
   std::vector<VesselCrossing> crossings;
   std::optional<SidePieces> found;  // what only the list of islands asks for need not be there before the rest
-  const std::array<std::function<void()>, 4> work{
-      [&] { tumours = impl_->assessTumours(plan); }, [&] { crossings = impl_->findCrossings(plan); },
-      [&] {
-        if (!plan.sides && !source.resections.empty()) {
-          found.emplace(impl_->liver, impl_->geometry.spacing, plan.resections);
-        }
-      },
-      [&] { result = impl_->volumes(plan); }};
+  const std::array<std::function<void()>, 4> work{[&] { tumours = impl_->assessTumours(plan); },
+                                                  [&] { crossings = impl_->findCrossings(plan); },
+                                                  [&] {
+                                                    if (!plan.sides && !source.resections.empty()) {
+                                                      found.emplace(impl_->liver, impl_->geometry.spacing, plan.resections);
+                                                    }
+                                                  },
+                                                  [&] { result = impl_->volumes(plan); }};
   parallelFor(work.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       work[n]();

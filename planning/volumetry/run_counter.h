@@ -18,7 +18,9 @@ inline RunSide sideOf(double distance, double support) {
   }
   return distance < support - kOnPlaneMm ? RunSide::Across : RunSide::Inside;
 }
-inline RunSide sideOf(const Box& box, const ImagePlane& plane) { return sideOf(plane.distance(box.centre), plane.support(box.half)); }
+inline RunSide sideOf(const Box& box, const ImagePlane& plane) {
+  return sideOf(plane.distance(box.centre), plane.support(box.half));
+}
 
 /// What decides alone on a run: one plane of one resection.
 struct OnlyPlane {

@@ -89,8 +89,7 @@ class PartMaker {
   void join(const RunPart& part) {
     if (!parts_.empty()) {
       RunPart& before = parts_.back();
-      const bool follows =
-          before.run.j == part.run.j && before.run.k == part.run.k && before.run.i + before.run.n == part.run.i;
+      const bool follows = before.run.j == part.run.j && before.run.k == part.run.k && before.run.i + before.run.n == part.run.i;
       const bool none = before.resected == 0 && part.resected == 0;
       const bool all = before.resected == before.units() && part.resected == part.units() && before.owner == part.owner;
       if (follows && (none || all)) {

@@ -23,7 +23,9 @@ int endOf(const RunPart& part) { return part.run.i + part.run.n; }
 }  // namespace
 
 SidePieces::SidePieces(const VoxelRows& liver, const Vec3& spacing, const std::vector<ImageResection>& plan)
-    : spacing_(spacing), parts_(partsOf(liver, spacing, plan)), rows_(parts_.size(), [this](std::size_t n) { return parts_[n].run; }) {
+    : spacing_(spacing),
+      parts_(partsOf(liver, spacing, plan)),
+      rows_(parts_.size(), [this](std::size_t n) { return parts_[n].run; }) {
   connect();
   measure(plan.size());
 }

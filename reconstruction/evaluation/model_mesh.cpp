@@ -17,9 +17,10 @@ ModelMesh makeListed(const Mask& mask, const ImageGeometry& geometry, const Mode
                      const ExecutionContext& context) {
   const MethodVariant& variant = variantOf(listedMethod(recipe.method), recipe.variant);
   MethodSurface made = variant.make({mask, geometry, options.sampling, options.scale}, context);
-  return {std::move(made.mesh),
-          made.usedDepth,
-          {.sample = made.sampleSeconds, .solve = made.solveSeconds, .extract = made.extractSeconds, .simplify = made.simplifySeconds}};
+  return {
+      std::move(made.mesh),
+      made.usedDepth,
+      {.sample = made.sampleSeconds, .solve = made.solveSeconds, .extract = made.extractSeconds, .simplify = made.simplifySeconds}};
 }
 
 }  // namespace

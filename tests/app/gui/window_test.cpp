@@ -768,10 +768,12 @@ TEST_F(WindowTest, ASeparatedPieceIsGivenToTheOtherSideAndBack) {
   const double island = document().assessment().islands.front().volumeMl;
   const double resected = document().assessment().resectedMl;
   list->topLevelItem(0)->setCheckState(0, Qt::Checked);
+  ASSERT_TRUE(waitFor([&] { return document().plan().islands.size() == 1U; }));
   ASSERT_TRUE(settle());
   EXPECT_NEAR(document().assessment().resectedMl, resected - island, 1e-9);
   EXPECT_EQ(list->topLevelItem(0)->checkState(0), Qt::Checked);
   list->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
+  ASSERT_TRUE(waitFor([&] { return document().plan().islands.empty(); }));
   ASSERT_TRUE(settle());
   EXPECT_NEAR(document().assessment().resectedMl, resected, 1e-9);
   EXPECT_TRUE(document().plan().islands.empty());
