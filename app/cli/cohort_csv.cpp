@@ -112,12 +112,14 @@ std::vector<Column> allColumns(const GatheredCohort& cohort) {
 std::string cohortCsv(const GatheredCohort& cohort) {
   const std::vector<Column> columns = allColumns(cohort);
   std::vector<std::string> names;
+  names.reserve(columns.size());
   for (const Column& column : columns) {
     names.push_back(column.name);
   }
   std::string csv = csvLine(names);
   for (const GatheredPatient& patient : cohort.patients) {
     std::vector<std::string> cells;
+    cells.reserve(columns.size());
     for (const Column& column : columns) {
       cells.push_back(column.text(patient));
     }

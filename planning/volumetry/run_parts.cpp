@@ -17,8 +17,14 @@ class PartMaker {
   void append(const RowRun& run, const std::vector<ImageResection>& plan) {
     const RunCounter counter(spacing_, plan, counted_);
     const RunSide side = counter.sideOfRun(run);
-    if (side != RunSide::Across || run.n == 1) {
-      join(side == RunSide::Outside ? RunPart{run} : counted(run, plan));
+    if (side == RunSide::Outside) {
+      join({run});
+    } else if (side == RunSide::Inside) {
+      RunPart part = counted(run, plan);
+      part.resected = part.units();  // several resections' shares are rounded each for itself
+      join(part);
+    } else if (run.n == 1) {
+      join(counted(run, plan));
     } else if (const OnlyPlane only = counter.onlyPlaneAcross(run); only.plane != nullptr) {
       appendCutByOne(run, only, plan);
     } else {
@@ -63,12 +69,21 @@ class PartMaker {
       }
     };
     appendWhole(run.i, first, before);
-    // The outermost voxels across may be touched so little that no unit is left for one side: these are on the other one.
-    const int second = std::min(first + 1, stop);
-    const int last = std::max(second, stop - 1);
-    appendAcross(first, second);
-    appendAcross(second, last);
-    appendAcross(last, stop);
+    // Voxels at either end may be touched so little that no unit is left for one side: these are on the other one.
+    const auto isDivided = [&](int i) { return counted({i, run.j, run.k, 1}, plan).isDivided(); };
+    int dividedFrom = first;
+    while (dividedFrom < stop && !isDivided(dividedFrom)) {
+      appendAcross(dividedFrom, dividedFrom + 1);
+      ++dividedFrom;
+    }
+    int dividedTo = stop;
+    while (dividedTo > dividedFrom && !isDivided(dividedTo - 1)) {
+      --dividedTo;
+    }
+    appendAcross(dividedFrom, dividedTo);
+    for (int i = dividedTo; i < stop; ++i) {
+      appendAcross(i, i + 1);
+    }
     appendWhole(stop, end, behind);
   }
 

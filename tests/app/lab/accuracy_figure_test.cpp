@@ -11,7 +11,7 @@
 namespace glisson::lab {
 namespace {
 
-EvaluatedModel model(ModelRecipe recipe, std::size_t triangles, double errorMm) {
+EvaluatedModel model(const ModelRecipe& recipe, std::size_t triangles, double errorMm) {
   EvaluatedModel made;
   made.recipe = recipe;
   made.usedDepth = recipe.depth;
