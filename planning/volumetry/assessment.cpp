@@ -37,8 +37,9 @@ struct PlanAssessor::Impl {
   VoxelRows liver;           ///< L
   VoxelRows lesionsInLiver;  ///< T and L
   double tumourMl = 0;
-  std::vector<Part> tumours;  ///< every lesion's own voxels
-  std::vector<Part> vessels;  ///< every vessel's voxels inside L
+  std::vector<Part> tumours;       ///< every lesion's own voxels
+  std::vector<TumourBoxes> boxes;  ///< of the tumours
+  std::vector<Part> vessels;       ///< every vessel's voxels inside L
   std::uint64_t modelRevision = 0;
 
   [[nodiscard]] double ml(std::int64_t units) const {
@@ -49,7 +50,7 @@ struct PlanAssessor::Impl {
   [[nodiscard]] std::vector<IslandAssessment> listIslands(const PlanInImage& plan, const SidePieces& sides) const;
   [[nodiscard]] std::vector<TumourAssessment> assessTumours(const PlanInImage& plan) const;
   [[nodiscard]] std::vector<VesselCrossing> findCrossings(const PlanInImage& plan) const;
-  [[nodiscard]] TumourAssessment assessTumour(const Part& tumour, const PlanInImage& plan, const CutDistance& cut) const;
+  [[nodiscard]] TumourAssessment assessTumour(std::size_t place, const PlanInImage& plan, const CutDistance& cut) const;
 };
 
 namespace {
@@ -89,6 +90,7 @@ PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>())
     const auto& mask = masks[static_cast<std::size_t>(structure.sourceIndex)].mask;
     if (mask && isLesion(structure.kind)) {
       impl_->tumours.push_back({structure.id, structure.name, rowsOf(*mask)});
+      impl_->boxes.emplace_back(impl_->tumours.back().rows, impl_->geometry.spacing);
     } else if (mask && isVessel(structure.kind)) {
       impl_->vessels.push_back({structure.id, structure.name, rowsOf(*mask, &source.liver->liver)});
     }
@@ -209,7 +211,8 @@ std::vector<IslandAssessment> PlanAssessor::Impl::listIslands(const PlanInImage&
   return islands;
 }
 
-TumourAssessment PlanAssessor::Impl::assessTumour(const Part& tumour, const PlanInImage& plan, const CutDistance& cut) const {
+TumourAssessment PlanAssessor::Impl::assessTumour(std::size_t place, const PlanInImage& plan, const CutDistance& cut) const {
+  const Part& tumour = tumours[place];
   TumourAssessment result;
   result.id = tumour.id;
   result.name = tumour.name;
@@ -227,7 +230,7 @@ TumourAssessment PlanAssessor::Impl::assessTumour(const Part& tumour, const Plan
     return result;
   }
   result.state = resected == 0 ? TumourState::Left : TumourState::Removed;
-  const Margin margin = marginOf(tumour.rows, geometry.spacing, cut);
+  const Margin margin = marginOf(boxes[place], geometry.spacing, cut);
   if (!std::isfinite(margin.mm)) {
     return result;
   }
@@ -273,7 +276,7 @@ std::vector<TumourAssessment> PlanAssessor::Impl::assessTumours(const PlanInImag
     const CutDistance cut(surfaceOf(liver, geometry.spacing, plan));
     parallelFor(tumours.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
-        assessed[n] = assessTumour(tumours[n], plan, cut);
+        assessed[n] = assessTumour(n, plan, cut);
       }
     });
   }

@@ -61,7 +61,7 @@ struct Problem {
   /// The margin as it is assessed: to the plane's part inside L.
   [[nodiscard]] Margin marginTo(const ImagePlane& plane) const {
     const std::vector<ImageResection> plan{{{plane}}};
-    return marginOf(tumour, spacing, CutDistance(cutSurface(liver, spacing, plan)));
+    return marginOf(TumourBoxes(tumour, spacing), spacing, CutDistance(cutSurface(liver, spacing, plan)));
   }
 };
 

@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace glisson {
 
@@ -79,9 +79,8 @@ bool cross(const Box& box, Polygon polygon) {
   return !polygon.empty();
 }
 
-double gap(const Box& box, const Vec3& low, const Vec3& high) {
-  const Vec3 apart = (low - box.centre - box.half).cwiseMax(box.centre - box.half - high).cwiseMax(0.0);
-  return apart.norm();
+double gapTo(const Box& box, const Vec3& low, const Vec3& high) {
+  return gap(box.centre - box.half, box.centre + box.half, low, high);
 }
 }  // namespace
 
@@ -115,7 +114,7 @@ CutDistance::Way shortestWay(const Box& box, const Polygon& polygon) {
   return best;
 }
 
-CutDistance::CutDistance(std::vector<CutPiece> pieces) : pieces_(std::move(pieces)), order_(pieces_.size()) {
+CutDistance::CutDistance(std::vector<CutPiece> pieces) : pieces_(std::move(pieces)) {
   for (const CutPiece& piece : pieces_) {
     Vec3 low = piece.polygon[0];
     Vec3 high = low;
@@ -128,42 +127,25 @@ CutDistance::CutDistance(std::vector<CutPiece> pieces) : pieces_(std::move(piece
     low_.push_back(low);
     high_.push_back(high);
   }
-  std::iota(order_.begin(), order_.end(), 0U);
-  if (!pieces_.empty()) {
-    build(0, static_cast<std::uint32_t>(pieces_.size()));
-  }
+  tree_ = BoxTree(low_, high_);
 }
 
-std::uint32_t CutDistance::build(std::uint32_t begin, std::uint32_t end) {
-  constexpr std::uint32_t kLeaf = 4;
-  const auto index = static_cast<std::uint32_t>(nodes_.size());
-  Node node{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity), begin, end, 0};
-  for (std::uint32_t n = begin; n < end; ++n) {
-    node.low = node.low.cwiseMin(low_[order_[n]]);
-    node.high = node.high.cwiseMax(high_[order_[n]]);
+TumourBoxes::TumourBoxes(const VoxelRows& rows, const Vec3& spacing) {
+  std::vector<Vec3> low;
+  std::vector<Vec3> high;
+  for (const RowRun& run : rows.runs) {
+    const Box& box = boxes.emplace_back(boxOf(run, spacing));
+    low.push_back(box.centre - box.half);
+    high.push_back(box.centre + box.half);
   }
-  nodes_.push_back(node);
-  if (end - begin > kLeaf) {
-    Eigen::Index axis = 0;
-    (node.high - node.low).maxCoeff(&axis);
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
-      const double ca = low_[a][axis] + high_[a][axis];
-      const double cb = low_[b][axis] + high_[b][axis];
-      return ca < cb || (ca == cb && a < b);
-    });
-    build(begin, middle);
-    const std::uint32_t right = build(middle, end);
-    nodes_[index].right = right;
-  }
-  return index;
+  tree = BoxTree(low, high);
 }
 
 /// No way from the box to the piece is shorter, up to kOnPlaneMm: the distance to the piece's plane is the sharper bound where the
 /// box lies over it, the gap where it lies beside it.
 double CutDistance::bound(std::uint32_t piece, const Box& box) const {
   const double toPlane = std::abs(planes_[piece].distance(box.centre)) - planes_[piece].support(box.half);
-  return std::max(toPlane - kOnPlaneMm, gap(box, low_[piece], high_[piece]));
+  return std::max(toPlane - kOnPlaneMm, gapTo(box, low_[piece], high_[piece]));
 }
 
 void CutDistance::keepShortest(const Box& box, std::uint32_t piece, Way& best) const {
@@ -174,82 +156,75 @@ void CutDistance::keepShortest(const Box& box, std::uint32_t piece, Way& best) c
   }
 }
 
-/// Calls look(piece, bound) for pieces that may be nearer than `best`, which the calls make less.
+/// Calls look(box, piece, bound) for pairs that may be nearer than `best`, which the calls make less. Goes down both trees at once,
+/// in the larger node first.
 template <typename Look>
-void CutDistance::search(std::uint32_t index, const Box& box, const double& best, const Look& look) const {
-  const Node& node = nodes_[index];
-  if (node.right == 0) {
-    for (std::uint32_t n = node.begin; n < node.end; ++n) {
-      const double least = bound(order_[n], box);
-      if (least < best) {
-        look(order_[n], least);
+void CutDistance::search(const TumourBoxes& tumour, std::uint32_t of, std::uint32_t to, const double& best,
+                         const Look& look) const {
+  const BoxTree::Node& from = tumour.tree.nodes()[of];
+  const BoxTree::Node& node = tree_.nodes()[to];
+  if (from.isLeaf() && node.isLeaf()) {
+    for (std::uint32_t n = from.begin; n < from.end; ++n) {
+      const Box& box = tumour.boxes[tumour.tree.order()[n]];
+      for (std::uint32_t m = node.begin; m < node.end; ++m) {
+        const double least = bound(tree_.order()[m], box);
+        if (least < best) {
+          look(box, tree_.order()[m], least);
+        }
       }
     }
     return;
   }
-  const std::array<std::uint32_t, 2> children{index + 1, node.right};
-  const std::array<double, 2> gaps{gap(box, nodes_[children[0]].low, nodes_[children[0]].high),
-                                   gap(box, nodes_[children[1]].low, nodes_[children[1]].high)};
+  const bool splitTumour = node.isLeaf() || (!from.isLeaf() && (from.high - from.low).sum() > (node.high - node.low).sum());
+  const BoxTree& split = splitTumour ? tumour.tree : tree_;
+  const std::uint32_t parent = splitTumour ? of : to;
+  const BoxTree::Node& other = splitTumour ? node : from;
+  const std::array<std::uint32_t, 2> children{parent + 1, split.nodes()[parent].right};
+  std::array<double, 2> gaps{};
+  for (std::size_t n = 0; n < 2; ++n) {
+    const BoxTree::Node& child = split.nodes()[children[n]];
+    gaps[n] = gap(child.low, child.high, other.low, other.high);
+  }
   const std::size_t nearer = gaps[1] < gaps[0] ? 1 : 0;
   for (const std::size_t child : {nearer, 1 - nearer}) {
     if (gaps[child] < best) {
-      search(children[child], box, best, look);
+      search(tumour, splitTumour ? children[child] : of, splitTumour ? to : children[child], best, look);
     }
   }
 }
 
-CutDistance::Way CutDistance::shortest(const VoxelRows& rows, const Vec3& spacing) const {
+CutDistance::Way CutDistance::shortest(const TumourBoxes& tumour) const {
   Way best;
   best.mm = kInfinity;
-  if (pieces_.empty() || rows.runs.empty()) {
+  if (pieces_.empty() || tumour.boxes.empty()) {
     return best;
   }
-  const auto forEachBox = [&](const double& nearest, const auto& visit) {
-    for (const RowRun& run : rows.runs) {
-      const Box box = boxOf(run, spacing);
-      if (gap(box, nodes_[0].low, nodes_[0].high) < nearest) {
-        visit(box);
-      }
-    }
-  };
   // The pair of the least bound is near the shortest way: from there few pairs are left to be measured.
   double least = kInfinity;
   Box likely;
   std::uint32_t piece = 0;
-  forEachBox(least, [&](const Box& box) {
-    search(0, box, least, [&](std::uint32_t found, double bound) {
-      least = bound;
-      likely = box;
-      piece = found;
-    });
+  search(tumour, 0, 0, least, [&](const Box& box, std::uint32_t found, double bound) {
+    least = bound;
+    likely = box;
+    piece = found;
   });
   keepShortest(likely, piece, best);
-  forEachBox(best.mm, [&](const Box& box) {
-    search(0, box, best.mm, [&](std::uint32_t found, double /*bound*/) { keepShortest(box, found, best); });
-  });
+  search(tumour, 0, 0, best.mm, [&](const Box& box, std::uint32_t found, double /*bound*/) { keepShortest(box, found, best); });
   return best;
 }
 
-double CutDistance::atLeast(const VoxelRows& rows, const Vec3& spacing, const Way& way) const {
+double CutDistance::atLeast(const TumourBoxes& tumour, const Way& way) const {
   const double flattening = pieces_[way.piece].flatteningMm;
   double least = way.mm - flattening;
-  Vec3 low = Vec3::Constant(kInfinity);
-  Vec3 high = Vec3::Constant(-kInfinity);
-  for (const RowRun& run : rows.runs) {
-    const Box box = boxOf(run, spacing);
-    low = low.cwiseMin(box.centre - box.half);
-    high = high.cwiseMax(box.centre + box.half);
-  }
-  const Box around{0.5 * (low + high), 0.5 * (high - low)};
+  const BoxTree::Node& around = tumour.tree.nodes()[0];
   for (std::size_t n = 0; n < pieces_.size(); ++n) {
     // A piece that is flattened no more than the nearest one cannot come nearer.
     const double off = pieces_[n].flatteningMm;
-    if (off <= flattening || gap(around, low_[n], high_[n]) - off >= least) {
+    if (off <= flattening || gap(around.low, around.high, low_[n], high_[n]) - off >= least) {
       continue;
     }
-    for (const RowRun& run : rows.runs) {
-      const Box box = boxOf(run, spacing);
-      if (gap(box, low_[n], high_[n]) - off < least) {
+    for (const Box& box : tumour.boxes) {
+      if (gapTo(box, low_[n], high_[n]) - off < least) {
         least = std::min(least, shortestWay(box, pieces_[n].polygon).mm - off);
       }
     }
@@ -449,14 +424,14 @@ double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vect
   return greatest;
 }
 
-Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& cut) {
-  const CutDistance::Way way = cut.shortest(rows, spacing);
+Margin marginOf(const TumourBoxes& tumour, const Vec3& spacing, const CutDistance& cut) {
+  const CutDistance::Way way = cut.shortest(tumour);
   if (!std::isfinite(way.mm)) {
     return {way.mm, way.mm, way.from, way.to};
   }
   const CutPiece& piece = cut.pieces()[way.piece];
   const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : piece.normal;
-  return {way.mm, cut.atLeast(rows, spacing, way) - resolutionMm(along, spacing), way.from, way.to};
+  return {way.mm, cut.atLeast(tumour, way) - resolutionMm(along, spacing), way.from, way.to};
 }
 
 double resolutionMm(const Vec3& direction, const Vec3& spacing) { return 0.5 * direction.cwiseAbs().dot(spacing); }

@@ -1,9 +1,17 @@
 #pragma once
 // Purpose: a tumour's state and margin (method.md 5), from its voxel boxes to the resection surface inside the liver.
 
+#include "planning/volumetry/box_tree.h"
 #include "planning/volumetry/resected.h"
 
 namespace glisson {
+
+/// A tumour's runs of voxels as boxes, to be measured from again and again.
+struct TumourBoxes {
+  TumourBoxes(const VoxelRows& rows, const Vec3& spacing);
+  std::vector<Box> boxes;
+  BoxTree tree;
+};
 
 /// Finds the shortest way from boxes to a set of convex polygons, exactly. Const and thread-safe once built.
 class CutDistance {
@@ -16,32 +24,23 @@ class CutDistance {
     Vec3 to = Vec3::Zero();    ///< on the surface
     std::size_t piece = 0;
   };
-  /// The shortest way from any of the runs' boxes. Ties are broken by order, so results repeat.
-  [[nodiscard]] Way shortest(const VoxelRows& rows, const Vec3& spacing) const;
+  /// The shortest way from any of the boxes. Ties are broken by order, so results repeat.
+  [[nodiscard]] Way shortest(const TumourBoxes& tumour) const;
   /// What no way to the surface itself is shorter than: the least of the pieces' distances, each less its flattening.
-  [[nodiscard]] double atLeast(const VoxelRows& rows, const Vec3& spacing, const Way& way) const;
+  [[nodiscard]] double atLeast(const TumourBoxes& tumour, const Way& way) const;
   [[nodiscard]] const std::vector<CutPiece>& pieces() const { return pieces_; }
 
  private:
-  struct Node {
-    Vec3 low;
-    Vec3 high;
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;    ///< pieces order_[begin, end) where it is a leaf
-    std::uint32_t right = 0;  ///< 0: a leaf; the left child follows its parent
-  };
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
   template <typename Look>
-  void search(std::uint32_t node, const Box& box, const double& best, const Look& look) const;
+  void search(const TumourBoxes& tumour, std::uint32_t of, std::uint32_t to, const double& best, const Look& look) const;
   [[nodiscard]] double bound(std::uint32_t piece, const Box& box) const;
   void keepShortest(const Box& box, std::uint32_t piece, Way& best) const;
 
   std::vector<CutPiece> pieces_;
-  std::vector<std::uint32_t> order_;
   std::vector<ImagePlane> planes_;  ///< of each piece
   std::vector<Vec3> low_;
   std::vector<Vec3> high_;
-  std::vector<Node> nodes_;
+  BoxTree tree_;
 };
 
 /// The shortest way between a box and a convex polygon that do not cross; 0 where they touch.
@@ -54,7 +53,7 @@ struct Margin {
   Vec3 from = Vec3::Zero();  ///< of the shortest way: on the boxes
   Vec3 to = Vec3::Zero();    ///< on the surface
 };
-Margin marginOf(const VoxelRows& rows, const Vec3& spacing, const CutDistance& cut);
+Margin marginOf(const TumourBoxes& tumour, const Vec3& spacing, const CutDistance& cut);
 
 /// The greatest distance of the boxes' points to the resected region, mm; the direction it is measured along in `normal`. Exact for
 /// one resection of flat planes (the distance to a convex body is greatest at a corner); several, or bent: over the corners. To a

@@ -277,7 +277,7 @@ TEST(BendNumbers, MarginIsAtLeastWhatItSaysBesideAStronglyBentPlane) {
       bent.bend->heightsMm[p] = groupOf(5)[p] ? inner(random) : border(random);
     }
     const CutDistance cut(cutSurface(rowsOf(liver.liver->liver), g.spacing, toImage(planOf({{bent}}), g)));
-    const Margin margin = marginOf(rowsOf(liver.liver->tumour), g.spacing, cut);
+    const Margin margin = marginOf(TumourBoxes(rowsOf(liver.liver->tumour), g.spacing), g.spacing, cut);
     ASSERT_GT(margin.mm, 0);
     const double resolution = resolutionMm((margin.to - margin.from).normalized(), g.spacing);
     EXPECT_LE(margin.atLeast, sampledDistance(liver, bent, 0.15) - resolution);
