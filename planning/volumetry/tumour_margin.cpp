@@ -128,6 +128,37 @@ CutDistance::CutDistance(std::vector<CutPiece> pieces) : pieces_(std::move(piece
     high_.push_back(high);
   }
   tree_ = BoxTree(low_, high_);
+  findSharedPlanes();
+}
+
+namespace {
+constexpr double kSharedMm = 1e-6;  ///< planes that differ by less are the same one, with rounding
+
+bool isSame(const ImagePlane& a, const ImagePlane& b) { return a.normal == b.normal && std::abs(a.offset - b.offset) < kSharedMm; }
+}  // namespace
+
+/// Children come behind their parents.
+void CutDistance::findSharedPlanes() {
+  sharedPlanes_.resize(tree_.nodes().size());
+  const auto planeOf = [&](std::uint32_t place) {
+    const CutPiece& piece = pieces_[tree_.order()[place]];
+    return ImagePlane{piece.normal, -piece.normal.dot(piece.polygon[0])};
+  };
+  for (std::size_t n = tree_.nodes().size(); n-- > 0;) {
+    const BoxTree::Node& node = tree_.nodes()[n];
+    if (!node.isLeaf()) {
+      const std::optional<ImagePlane>& left = sharedPlanes_[n + 1];
+      const std::optional<ImagePlane>& right = sharedPlanes_[node.right];
+      sharedPlanes_[n] = left && right && isSame(*left, *right) ? left : std::nullopt;
+      continue;
+    }
+    sharedPlanes_[n] = planeOf(node.begin);
+    for (std::uint32_t place = node.begin + 1; place < node.end && sharedPlanes_[n]; ++place) {
+      if (!isSame(*sharedPlanes_[n], planeOf(place))) {
+        sharedPlanes_[n].reset();
+      }
+    }
+  }
 }
 
 TumourBoxes::TumourBoxes(const VoxelRows& rows, const Vec3& spacing) {
@@ -156,6 +187,19 @@ void CutDistance::keepShortest(const Box& box, std::uint32_t piece, Way& best) c
   }
 }
 
+/// No way from the node's boxes to the pieces is shorter. An oblique plane's pieces lie in bounds that are mostly empty: there the
+/// distance to the plane tells more.
+double CutDistance::bound(const BoxTree::Node& of, std::uint32_t to) const {
+  const BoxTree::Node& node = tree_.nodes()[to];
+  double least = gap(of.low, of.high, node.low, node.high);
+  if (const std::optional<ImagePlane>& plane = sharedPlanes_[to]) {
+    constexpr double kSlackMm = 100 * kSharedMm;  // of planes that are the same one in turn
+    const double toPlane = std::abs(plane->distance(0.5 * (of.low + of.high))) - plane->support(0.5 * (of.high - of.low));
+    least = std::max(least, toPlane - kSlackMm);
+  }
+  return least;
+}
+
 /// Calls look(box, piece, bound) for pairs that may be nearer than `best`, which the calls make less. Goes down both trees at once,
 /// in the larger node first.
 template <typename Look>
@@ -178,16 +222,14 @@ void CutDistance::search(const TumourBoxes& tumour, std::uint32_t of, std::uint3
   const bool splitTumour = node.isLeaf() || (!from.isLeaf() && (from.high - from.low).sum() > (node.high - node.low).sum());
   const BoxTree& split = splitTumour ? tumour.tree : tree_;
   const std::uint32_t parent = splitTumour ? of : to;
-  const BoxTree::Node& other = splitTumour ? node : from;
   const std::array<std::uint32_t, 2> children{parent + 1, split.nodes()[parent].right};
-  std::array<double, 2> gaps{};
+  std::array<double, 2> bounds{};
   for (std::size_t n = 0; n < 2; ++n) {
-    const BoxTree::Node& child = split.nodes()[children[n]];
-    gaps[n] = gap(child.low, child.high, other.low, other.high);
+    bounds[n] = splitTumour ? bound(split.nodes()[children[n]], to) : bound(from, children[n]);
   }
-  const std::size_t nearer = gaps[1] < gaps[0] ? 1 : 0;
+  const std::size_t nearer = bounds[1] < bounds[0] ? 1 : 0;
   for (const std::size_t child : {nearer, 1 - nearer}) {
-    if (gaps[child] < best) {
+    if (bounds[child] < best) {
       search(tumour, splitTumour ? children[child] : of, splitTumour ? to : children[child], best, look);
     }
   }

@@ -1,6 +1,8 @@
 #pragma once
 // Purpose: a tumour's state and margin (method.md 5), from its voxel boxes to the resection surface inside the liver.
 
+#include <optional>
+
 #include "planning/volumetry/box_tree.h"
 #include "planning/volumetry/resected.h"
 
@@ -33,6 +35,8 @@ class CutDistance {
  private:
   template <typename Look>
   void search(const TumourBoxes& tumour, std::uint32_t of, std::uint32_t to, const double& best, const Look& look) const;
+  void findSharedPlanes();
+  [[nodiscard]] double bound(const BoxTree::Node& of, std::uint32_t to) const;
   [[nodiscard]] double bound(std::uint32_t piece, const Box& box) const;
   void keepShortest(const Box& box, std::uint32_t piece, Way& best) const;
 
@@ -41,6 +45,7 @@ class CutDistance {
   std::vector<Vec3> low_;
   std::vector<Vec3> high_;
   BoxTree tree_;
+  std::vector<std::optional<ImagePlane>> sharedPlanes_;  ///< of each node, where all its pieces lie on one
 };
 
 /// The shortest way between a box and a convex polygon that do not cross; 0 where they touch.
