@@ -6,6 +6,7 @@
 
 #include "planning/volumetry/resected.h"
 #include "planning/volumetry/side_pieces.h"
+#include "planning/volumetry/tumour_depth.h"
 #include "planning/volumetry/tumour_margin.h"
 #include "planning/volumetry/vessel_crossings.h"
 #include "reconstruction/parallel.h"

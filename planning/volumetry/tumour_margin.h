@@ -1,55 +1,9 @@
 #pragma once
-// Purpose: a tumour's state and margin (method.md 5), from its voxel boxes to the resection surface inside the liver.
+// Purpose: the margin of a tumour that is not cut (method.md 5), from its voxel boxes to the resection surface inside the liver.
 
-#include <optional>
-
-#include "planning/volumetry/box_tree.h"
-#include "planning/volumetry/resected.h"
+#include "planning/volumetry/cut_distance.h"
 
 namespace glisson {
-
-/// A tumour's runs of voxels as boxes, to be measured from again and again.
-struct TumourBoxes {
-  TumourBoxes(const VoxelRows& rows, const Vec3& spacing);
-  std::vector<Box> boxes;
-  BoxTree tree;
-};
-
-/// Finds the shortest way from boxes to a set of convex polygons, exactly. Const and thread-safe once built.
-class CutDistance {
- public:
-  explicit CutDistance(std::vector<CutPiece> pieces);
-
-  struct Way {
-    double mm = 0;             ///< infinity where there is no surface
-    Vec3 from = Vec3::Zero();  ///< on the boxes
-    Vec3 to = Vec3::Zero();    ///< on the surface
-    std::size_t piece = 0;
-  };
-  /// The shortest way from any of the boxes. Ties are broken by order, so results repeat.
-  [[nodiscard]] Way shortest(const TumourBoxes& tumour) const;
-  /// What no way to the surface itself is shorter than: the least of the pieces' distances, each less its flattening.
-  [[nodiscard]] double atLeast(const TumourBoxes& tumour, const Way& way) const;
-  [[nodiscard]] const std::vector<CutPiece>& pieces() const { return pieces_; }
-
- private:
-  template <typename Look>
-  void search(const TumourBoxes& tumour, std::uint32_t of, std::uint32_t to, const double& best, const Look& look) const;
-  void findSharedPlanes();
-  [[nodiscard]] double bound(const BoxTree::Node& of, std::uint32_t to) const;
-  [[nodiscard]] double bound(std::uint32_t piece, const Box& box) const;
-  void keepShortest(const Box& box, std::uint32_t piece, Way& best) const;
-
-  std::vector<CutPiece> pieces_;
-  std::vector<ImagePlane> planes_;  ///< of each piece
-  std::vector<Vec3> low_;
-  std::vector<Vec3> high_;
-  BoxTree tree_;
-  std::vector<std::optional<ImagePlane>> sharedPlanes_;  ///< of each node, where all its pieces lie on one
-};
-
-/// The shortest way between a box and a convex polygon that do not cross; 0 where they touch.
-CutDistance::Way shortestWay(const Box& box, const Polygon& polygon);
 
 /// The margin of boxes that lie on the resected side altogether.
 struct Margin {
@@ -59,13 +13,6 @@ struct Margin {
   Vec3 to = Vec3::Zero();    ///< on the surface
 };
 Margin marginOf(const TumourBoxes& tumour, const Vec3& spacing, const CutDistance& cut);
-
-/// The greatest distance of the boxes' points to the resected region, mm; the direction it is measured along in `normal`. Exact for
-/// one resection of flat planes (the distance to a convex body is greatest at a corner); several, or bent: over the corners. To a
-/// bent surface by touching planes from the nearest of 169 of its points, within 0.01 mm where its radius is larger than the depth;
-/// where the steps do not settle, the largest of their depths, and along a plane's normal where they find none: no corner outside
-/// has depth 0.
-double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal);
 
 /// Half the extent of a voxel along a unit direction: what a margin along it cannot resolve.
 double resolutionMm(const Vec3& direction, const Vec3& spacing);

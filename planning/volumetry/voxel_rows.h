@@ -33,6 +33,12 @@ inline Box boxOf(const RowRun& run, const Vec3& spacing) {
   return {spacing.cwiseProduct(Vec3(run.i + 0.5 * (run.n - 1), run.j, run.k)), 0.5 * spacing.cwiseProduct(Vec3(run.n, 1, 1))};
 }
 
+/// Corner 0..7: bit n tells the upper side along axis n.
+inline Vec3 cornerOf(const Box& box, unsigned corner) {
+  return box.centre + Vec3((corner & 1U) != 0 ? box.half[0] : -box.half[0], (corner & 2U) != 0 ? box.half[1] : -box.half[1],
+                           (corner & 4U) != 0 ? box.half[2] : -box.half[2]);
+}
+
 /// A half-space in the image frame: distance(p) = normal . p + offset >= 0 is resected.
 struct ImagePlane {
   Vec3 normal = Vec3::UnitZ();

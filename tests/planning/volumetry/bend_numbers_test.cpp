@@ -11,6 +11,7 @@
 #include "planning/volumetry/bend_over.h"
 #include "planning/volumetry/flat_stretches.h"
 #include "planning/volumetry/side_pieces.h"
+#include "planning/volumetry/tumour_depth.h"
 #include "planning/volumetry/tumour_margin.h"
 #include "reconstruction/parallel.h"
 #include "tests/planning/voxel_bodies.h"

@@ -1,0 +1,201 @@
+#include "planning/volumetry/tumour_depth.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glisson {
+
+namespace {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The nearest point of a convex region by its optimality conditions: some one, two or three planes are active, the step to it is a
+/// sum of their normals with positive weights, and it lies in all half-spaces. Infinity where the region is empty.
+void keepProjection(const Vec3& p, const std::vector<ImagePlane>& planes, double& best, Vec3& normal) {
+  const std::size_t count = planes.size();
+  const auto inside = [&](const Vec3& q) {
+    return std::all_of(planes.begin(), planes.end(), [&](const ImagePlane& plane) { return plane.distance(q) >= -kOnPlaneMm; });
+  };
+  if (inside(p)) {
+    best = 0;
+    return;
+  }
+  const auto tryActive = [&](const std::vector<std::size_t>& active) {
+    const auto size = static_cast<Eigen::Index>(active.size());
+    Eigen::MatrixXd normals(3, size);
+    Eigen::VectorXd missing(size);
+    for (Eigen::Index n = 0; n < size; ++n) {
+      normals.col(n) = planes[active[static_cast<std::size_t>(n)]].normal;
+      missing[n] = -planes[active[static_cast<std::size_t>(n)]].distance(p);
+    }
+    const Eigen::FullPivLU<Eigen::MatrixXd> gram(normals.transpose() * normals);
+    if (!gram.isInvertible()) {
+      return;
+    }
+    const Eigen::VectorXd weights = gram.solve(missing);
+    const Vec3 step = normals * weights;
+    if (weights.minCoeff() >= 0 && step.norm() < best && inside(p + step)) {
+      best = step.norm();
+      normal = step / best;
+    }
+  };
+  for (std::size_t a = 0; a < count; ++a) {
+    tryActive({a});
+    for (std::size_t b = a + 1; b < count; ++b) {
+      tryActive({a, b});
+      for (std::size_t c = b + 1; c < count; ++c) {
+        tryActive({a, b, c});
+      }
+    }
+  }
+}
+/// Where to begin: the nearest of the surface's points around the point under or over `p`.
+Vec3 nearestSample(const Vec3& p, const BentSurface& surface) {
+  constexpr int kSteps = 6;
+  const Vec3 under = surface.foot(p);
+  const double radius = (under - p).norm();
+  Vec3 nearest = under;
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    for (int j = -kSteps; j <= kSteps; ++j) {
+      const Vec3 q = surface.foot(p + radius / kSteps * (i * surface.u() + j * surface.v()));
+      if ((q - p).squaredNorm() < (nearest - p).squaredNorm()) {
+        nearest = q;
+      }
+    }
+  }
+  return nearest;
+}
+
+/// The same for a resection with bent planes: each is taken as the plane that touches it where the last step ended.
+void keepBentProjection(const Vec3& p, const ImageResection& resection, double& best, Vec3& normal) {
+  std::vector<Vec3> feet;
+  bool inside =
+      std::all_of(resection.planes.begin(), resection.planes.end(), [&](const ImagePlane& f) { return f.distance(p) >= 0; });
+  for (const BentSurface& surface : resection.bends) {
+    inside = inside && surface.above(p) >= 0;
+    feet.push_back(nearestSample(p, surface));
+  }
+  if (inside) {
+    best = 0;
+    return;
+  }
+  constexpr int kTurns = 30;
+  constexpr double kSettledMm = 1e-4;
+  const Vec3 start = feet[0];
+  double depth = kInfinity;
+  Vec3 along = Vec3::UnitZ();
+  double largest = 0;
+  Vec3 alongLargest = along;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    std::vector<ImagePlane> planes = resection.planes;
+    for (std::size_t n = 0; n < feet.size(); ++n) {
+      const HalfSpace touching = resection.bends[n].tangentAt(feet[n]);
+      planes.push_back({touching.normal, -touching.normal.dot(touching.origin)});
+    }
+    const double before = depth;
+    depth = kInfinity;
+    if (planes.size() == 1) {
+      depth = std::max(0.0, -planes[0].distance(p));
+      along = planes[0].normal;
+    } else {
+      keepProjection(p, planes, depth, along);
+    }
+    if (std::isfinite(depth) && depth > largest) {
+      largest = depth;
+      alongLargest = along;
+    }
+    if (!std::isfinite(depth) || std::abs(depth - before) < kSettledMm) {
+      break;
+    }
+    for (std::size_t n = 0; n < feet.size(); ++n) {
+      feet[n] = resection.bends[n].foot(p + depth * along);
+    }
+  }
+  if (!(largest > 0)) {
+    // No turn has found a way: the deepest of the single planes, along its normal.
+    for (const BentSurface& surface : resection.bends) {
+      if (-surface.above(p) > largest) {
+        largest = -surface.above(p);
+        alongLargest = surface.normal();
+      }
+    }
+    for (const ImagePlane& plane : resection.planes) {
+      if (-plane.distance(p) > largest) {
+        largest = -plane.distance(p);
+        alongLargest = plane.normal;
+      }
+    }
+  }
+  if (resection.planes.empty() && resection.bends.size() == 1) {
+    largest = std::min(largest, (start - p).norm());  // a point of the surface
+  }
+  if (largest < best) {
+    best = largest;
+    normal = alongLargest;
+  }
+}
+/// The distance of a point to the resected region, and the direction to it.
+double depthOf(const Vec3& p, const std::vector<ImageResection>& plan, Vec3& along) {
+  double depth = kInfinity;
+  for (const ImageResection& resection : plan) {
+    if (!resection.bends.empty()) {
+      keepBentProjection(p, resection, depth, along);
+    } else if (resection.planes.size() == 1) {
+      const double outside = std::max(0.0, -resection.planes[0].distance(p));
+      if (outside < depth) {
+        depth = outside;
+        along = resection.planes[0].normal;
+      }
+    } else if (!resection.planes.empty()) {
+      keepProjection(p, resection.planes, depth, along);
+    }
+  }
+  return depth;
+}
+
+/// What the depth of a point surely does not pass, without a projection: a single bent plane is no farther than along its normal.
+double mostDepth(const Vec3& p, const std::vector<ImageResection>& plan) {
+  double most = kInfinity;
+  for (const ImageResection& resection : plan) {
+    if (resection.planes.empty() && resection.bends.size() == 1) {
+      most = std::min(most, -resection.bends[0].above(p));
+    }
+  }
+  return most;
+}
+}  // namespace
+
+double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal) {
+  struct Corner {
+    Vec3 p;
+    double most = kInfinity;
+  };
+  std::vector<Corner> corners;
+  corners.reserve(8 * rows.runs.size());
+  for (const RowRun& run : rows.runs) {
+    const Box box = boxOf(run, spacing);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const Vec3 p = cornerOf(box, corner);
+      corners.push_back({p, mostDepth(p, plan)});
+    }
+  }
+  // The deepest ones first: few of the others have to be projected.
+  std::stable_sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.most > b.most; });
+  double greatest = 0;
+  normal = Vec3::UnitZ();
+  for (const Corner& corner : corners) {
+    if (corner.most <= greatest) {
+      break;
+    }
+    Vec3 along = Vec3::UnitZ();
+    const double depth = depthOf(corner.p, plan, along);
+    if (std::isfinite(depth) && depth > greatest) {
+      greatest = depth;
+      normal = along;
+    }
+  }
+  return greatest;
+}
+
+}  // namespace glisson
