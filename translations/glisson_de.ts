@@ -4523,7 +4523,7 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     </message>
     <message>
         <source>Volume on the resected side, and its share of the whole liver</source>
-        <translation>Volumen auf des Resektats und sein Anteil an der ganzen Leber</translation>
+        <translation>Volumen des Resektats und sein Anteil an der ganzen Leber</translation>
     </message>
     <message>
         <source>REMNANT</source>
