@@ -252,7 +252,7 @@ void Document::assessInFrame() {
   }
   QElapsedTimer clock;
   clock.start();
-  assessment_ = assessor_->assess(plan());
+  assessment_ = isDragging() ? assessor_->assessMoving(plan()) : assessor_->assess(plan());
   // one slow frame of many, while the machine does something else, counts little
   constexpr double kWeight = 0.3;
   wholeMs_ += kWeight * (static_cast<double>(clock.nsecsElapsed()) * 1e-6 - wholeMs_);

@@ -98,8 +98,8 @@ class Document : public QObject {
   /// A matter of looking, not of the plan: stored, but no undo step.
   void setVisible(const std::string& structureId, bool visible);
 
-  /// From begin to end is one undo step. Between them all numbers follow in the same frame where the last ones took no longer than
-  /// that, else the volumes alone.
+  /// From begin to end is one undo step. Between them all numbers but the islands follow in the same frame where the last ones took
+  /// no longer than that, else the volumes alone.
   void beginDrag();
   void dragTo(const ResectionPlane& plane);
   void endDrag(const ResectionPlane& plane);

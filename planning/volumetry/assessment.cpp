@@ -47,6 +47,7 @@ struct PlanAssessor::Impl {
     return static_cast<double>(units) / kUnitsPerVoxel * geometry.voxelVolumeMm3() * kMlPerMm3;
   }
   [[nodiscard]] PlanAssessment volumes(const PlanInImage& plan) const;
+  [[nodiscard]] PlanAssessment assess(const ResectionPlan& source, bool withIslands) const;
   void addVolumes(PlanAssessment& result, const Resected& inLiver, std::int64_t resected, std::int64_t diseased) const;
   [[nodiscard]] std::vector<IslandAssessment> listIslands(const PlanInImage& plan, const SidePieces& sides) const;
   [[nodiscard]] std::vector<TumourAssessment> assessTumours(const PlanInImage& plan) const;
@@ -294,24 +295,23 @@ std::vector<VesselCrossing> PlanAssessor::Impl::findCrossings(const PlanInImage&
   return crossings;
 }
 
-PlanAssessment PlanAssessor::assess(const ResectionPlan& source) const {
-  PlanInImage plan{source, toImage(source, impl_->geometry), {}};
+PlanAssessment PlanAssessor::Impl::assess(const ResectionPlan& source, bool withIslands) const {
+  PlanInImage plan{source, toImage(source, geometry), {}};
   std::string warning;
   if (!source.islands.empty()) {
-    plan.sides = sidesOf(impl_->liver, impl_->geometry, plan, warning);
+    plan.sides = sidesOf(liver, geometry, plan, warning);
   }
   PlanAssessment result;
-  std::vector<TumourAssessment> tumours;
+  std::vector<TumourAssessment> assessed;
   std::vector<VesselCrossing> crossings;
   std::optional<SidePieces> found;  // what only the list of islands asks for need not be there before the rest
-  const std::array<std::function<void()>, 4> work{[&] { tumours = impl_->assessTumours(plan); },
-                                                  [&] { crossings = impl_->findCrossings(plan); },
+  const std::array<std::function<void()>, 4> work{[&] { assessed = assessTumours(plan); }, [&] { crossings = findCrossings(plan); },
                                                   [&] {
-                                                    if (!plan.sides && !source.resections.empty()) {
-                                                      found.emplace(impl_->liver, impl_->geometry.spacing, plan.resections);
+                                                    if (withIslands && !plan.sides && !source.resections.empty()) {
+                                                      found.emplace(liver, geometry.spacing, plan.resections);
                                                     }
                                                   },
-                                                  [&] { result = impl_->volumes(plan); }};
+                                                  [&] { result = volumes(plan); }};
   parallelFor(work.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       work[n]();
@@ -321,18 +321,21 @@ PlanAssessment PlanAssessor::assess(const ResectionPlan& source) const {
     addSentence(result.warning, warning);
   }
   const std::optional<SidePieces>& sides = plan.sides ? plan.sides : found;
-  if (sides && result.divides) {
-    result.islands = impl_->listIslands(plan, *sides);
+  if (withIslands && sides && result.divides) {
+    result.islands = listIslands(plan, *sides);
   }
-  for (const TumourAssessment& tumour : tumours) {
+  for (const TumourAssessment& tumour : assessed) {
     if (tumour.state == TumourState::Cut && !tumour.marginMm) {
       addSentence(result.warning,
                   "The margin of " + tumour.name + " is not measured while it is cut and islands are given to a side.");
     }
   }
-  result.tumours = std::move(tumours);
+  result.tumours = std::move(assessed);
   result.vesselsCrossed = std::move(crossings);
   return result;
 }
+
+PlanAssessment PlanAssessor::assessMoving(const ResectionPlan& plan) const { return impl_->assess(plan, false); }
+PlanAssessment PlanAssessor::assess(const ResectionPlan& plan) const { return impl_->assess(plan, true); }
 
 }  // namespace glisson

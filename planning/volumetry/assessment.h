@@ -78,8 +78,10 @@ class PlanAssessor {
   PlanAssessor(PlanAssessor&&) noexcept;
   PlanAssessor& operator=(PlanAssessor&&) noexcept;
 
-  /// Only the volumes: for every mouse move.
+  /// Only the volumes.
   [[nodiscard]] PlanAssessment volumes(const ResectionPlan& plan) const;
+  /// Volumes, tumours, vessels: for every mouse move. No islands are looked for that the plan does not name.
+  [[nodiscard]] PlanAssessment assessMoving(const ResectionPlan& plan) const;
   /// Everything: volumes, tumours, vessels. A plan without resection leaves everything in the remnant.
   [[nodiscard]] PlanAssessment assess(const ResectionPlan& plan) const;
 

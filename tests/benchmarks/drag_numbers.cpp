@@ -1,9 +1,9 @@
 // Measures how long the numbers of a plan take while its plane moves: a drag across the whole liver and back with a wobble, each
 // step as one mouse move.
 //   drag_numbers CASE.glisson [STEPS]     2,000 steps; make the case with glisson-cli model
-// Prints median, 99th percentile and worst of PlanAssessor::assess() (every mouse move: volumes, tumours, vessels, islands), of
+// Prints median, 99th percentile and worst of PlanAssessor::assessMoving() (every mouse move: volumes, tumours, vessels), of
 // volumes() alone (what is left of it where the rest does not fit into a frame) and of cutting the parenchyma's mesh by the plane;
-// assess() and volumes() also with the plane bent, its heights waving by up to 25 mm. Exit code 4 where assess() of the flat plane
+// both also with the plane bent, its heights waving by up to 25 mm. Exit code 4 where assessMoving() of the flat plane
 // passes 16 ms at the 99th percentile.
 
 #include <algorithm>
@@ -91,8 +91,8 @@ int run(const std::string& path, int steps) {
         cuts.push_back(milliseconds([&] { (void)cut(parenchyma->reconstruction->mesh, plan.resections[0].planes[0]); }));
       }
     }
-    whole.push_back(milliseconds([&] { (void)assessor.assess(plan); }));
-    bentWhole.push_back(milliseconds([&] { (void)assessor.assess(bent); }));
+    whole.push_back(milliseconds([&] { (void)assessor.assessMoving(plan); }));
+    bentWhole.push_back(milliseconds([&] { (void)assessor.assessMoving(bent); }));
   }
   std::printf("| numbers | steps | median ms | p99 ms | worst ms |\n|---|---|---|---|---|\n");
   const double p99 = tell("all numbers", whole);

@@ -84,6 +84,19 @@ TEST(Islands, GivenToTheOtherSideTheirVolumeMovesExactlyAndBack) {
   }
 }
 
+TEST(Islands, AreAllThatAMovingPlanLeavesOut) {
+  const PlanAssessor assessor(archLiver());
+  const ResectionPlan plan = planOf({{kAcrossLegs}});
+  PlanAssessment resting = assessor.assess(plan);
+  const ResectionPlan given = apply(plan, AssignIsland{{resting.islands.at(0).point, PlanSide::Remnant}});
+  for (const ResectionPlan& each : {plan, given}) {
+    resting = assessor.assess(each);
+    ASSERT_FALSE(resting.islands.empty());
+    resting.islands.clear();
+    EXPECT_EQ(toJson(assessor.assessMoving(each)), toJson(resting));
+  }
+}
+
 TEST(Islands, FunctionalVolumeLeavesTheTumourOut) {
   const Case arch = archLiver();
   const PlanAssessment r = PlanAssessor(arch).assess(planOf({{kAcrossLegs}}));
