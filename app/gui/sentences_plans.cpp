@@ -69,6 +69,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "remove %1")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "accept %1")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "withdraw the acceptance of %1")},
+    {"k", QT_TRANSLATE_NOOP("Sentence", "show %1")},
+    {"k", QT_TRANSLATE_NOOP("Sentence", "hide %1")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Who accepts a structure needs a name of one line, at most 200 bytes long; type it again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The time at which a structure was accepted is no time; accept it again.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has no surface yet, so it cannot be accepted; reconstruct the model first.")},
@@ -92,11 +94,10 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"nnn",
      QT_TRANSLATE_NOOP(
          "Sentence", "The piece at (%1, %2, %3) mm is no island of its own, so it counts on the side where the planes leave it.")},
-    {"k", QT_TRANSLATE_NOOP("Sentence", "The margin of %1 is not measured while it is cut and islands are given to a side.")},
-    {"",
-     QT_TRANSLATE_NOOP(
-         "Sentence",
-         "The plan gives islands to the other side, which the exported meshes do not show: give them back, then export again.")},
+    {"nnn", QT_TRANSLATE_NOOP(
+                "Sentence",
+                "The piece at (%1, %2, %3) mm is given to the other side, but on the surface it hangs together with the rest: "
+                "give it back, or move the plane, then export again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 is in %2 only.")},
     {"fnfnf", QT_TRANSLATE_NOOP("Sentence", "%1 has %2 planes in %3 and %4 in %5.")},
     {"nfnnf",

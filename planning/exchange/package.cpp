@@ -144,8 +144,8 @@ FileEntry writeModel(const std::filesystem::path& folder, const std::vector<Pack
 
 /// Writes and proves every file of the package; the manifest is the last.
 std::vector<std::string> writeFiles(const std::filesystem::path& folder, const Case& source, const ResectionPlan& plan,
-                                    const ExportOptions& options, const std::vector<PackageMesh>& meshes,
-                                    const ExecutionContext& context) {
+                                    const PlanAssessment& assessment, const ExportOptions& options,
+                                    const std::vector<PackageMesh>& meshes, const ExecutionContext& context) {
   Manifest manifest;
   manifest.stl = options.stl;
   manifest.glb = options.glb;
@@ -169,7 +169,7 @@ std::vector<std::string> writeFiles(const std::filesystem::path& folder, const C
     manifest.files.push_back(writeModel(folder, meshes, floats));
   }
   context.report(0.9, "Checking");
-  const std::string text = planText(source, plan, options, PlanAssessor(source).assess(plan), meshes, manifest.files);
+  const std::string text = planText(source, plan, options, assessment, meshes, manifest.files);
   writeFileAtomically(folder / kPlanFile, text);
   manifest.files.push_back(entryOf(folder, std::string(kPlanFile), text));
   writeFileAtomically(folder / kManifestFile, manifestText(manifest));
@@ -196,18 +196,14 @@ ExportResult exportPackage(const Case& source, const std::filesystem::path& dire
   stamped.timestamp = options.timestamp.empty() ? timestampNow() : options.timestamp;
   requireTimestamp(stamped.timestamp);
   const ResectionPlan& plan = chosenPlan(source, options.planName);
-  if (!plan.islands.empty()) {
-    // The meshes are cut by planes alone: the volumes beside them would be another plan's.
-    throw PlanningError(
-        "The plan gives islands to the other side, which the exported meshes do not show: give them back, then export again.");
-  }
   context.report(0.0, "Checking");
-  const std::vector<PackageMesh> meshes = packageMeshes(source, plan, stamped, context.range(0.0, 0.5));
+  const PlanAssessment assessment = PlanAssessor(source).assess(plan);
+  const std::vector<PackageMesh> meshes = packageMeshes(source, plan, assessment.islands, stamped, context.range(0.0, 0.5));
   const std::string name =
       fileSafe(source.code, "case") + "_" + fileSafe(pseudonymous(plan.name, "Plan", source), "Plan") + "_" + stamped.timestamp;
   StagingFolder staging(directory, name);
   ExportResult result;
-  result.files = writeFiles(staging.path(), source, plan, stamped, meshes, context.range(0.5, 1.0));
+  result.files = writeFiles(staging.path(), source, plan, assessment, stamped, meshes, context.range(0.5, 1.0));
   result.folder = staging.publish();
   return result;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "planning/exchange/package_islands.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/mesh/cut.h"
 #include "reconstruction/mesh/edges.h"
@@ -217,8 +218,14 @@ double volumeOf(const std::vector<SurfaceMesh>& pieces) {
   return sum;
 }
 
-void addPlannedParts(const Structure& parenchyma, const ResectionPlan& plan, const ExecutionContext& context,
-                     std::vector<PackageMesh>& meshes) {
+double areaOnPlanes(const SurfaceMesh& piece, const std::vector<ResectionPlane>& planes) {
+  SurfaceMesh faces;
+  addFacesOnPlanes(piece, planes, faces);
+  return areaMm2(faces);
+}
+
+void addPlannedParts(const Structure& parenchyma, const ResectionPlan& plan, const std::vector<IslandAssessment>& islands,
+                     const ExecutionContext& context, std::vector<PackageMesh>& meshes) {
   // Cut as the file holds it: a sliver beside the cut that a later rounding turned over would be a self-intersection.
   std::vector<SurfaceMesh> remnant{roundedToFloat(parenchyma.reconstruction->mesh)};
   splitFans(remnant.front());
@@ -226,7 +233,7 @@ void addPlannedParts(const Structure& parenchyma, const ResectionPlan& plan, con
   const double moved = kMovedSpacings * floatSpacingMm(remnant.front()) * areaMm2(remnant.front());
   std::size_t cuts = 0;
   double resectedVolume = 0;
-  std::vector<PackageMesh> parts;
+  std::vector<ResectedPart> parts;
   for (std::size_t r = 0; r < plan.resections.size(); ++r) {
     const std::vector<ResectionPlane>& planes = plan.resections[r].planes;
     Pieces pieces = planes.empty() ? Pieces{} : cutByAll(remnant, planes, context);
@@ -236,10 +243,7 @@ void addPlannedParts(const Structure& parenchyma, const ResectionPlan& plan, con
                           "remove the resection, then export again.");
     }
     resectedVolume += volumeOf(pieces.inside);
-    const int number = static_cast<int>(r);
-    addPieces(parts, numbered("resected", r + 1), "resected", number, kResectedColour, std::move(pieces.inside));
-    parts.push_back(
-        part(numbered("resection_surface", r + 1), "resection surface", number, kSurfaceColour, false, std::move(pieces.surface)));
+    parts.push_back({std::move(pieces.inside), std::move(pieces.surface)});
     remnant = std::move(pieces.outside);
     cuts += planes.size();
   }
@@ -247,8 +251,14 @@ void addPlannedParts(const Structure& parenchyma, const ResectionPlan& plan, con
   if (!(std::abs(resectedVolume + volumeOf(remnant) - whole) <= static_cast<double>(cuts) * moved)) {
     throw CheckFailed("The resected parts and the remnant do not add up to the liver: move the plane a little and export again.");
   }
+  moveIslands(islands, plan, areaOnPlanes, parts, remnant);
   addPieces(meshes, "remnant", "remnant", -1, parenchyma.colour, std::move(remnant));
-  std::move(parts.begin(), parts.end(), std::back_inserter(meshes));
+  for (std::size_t r = 0; r < parts.size(); ++r) {
+    const int number = static_cast<int>(r);
+    addPieces(meshes, numbered("resected", r + 1), "resected", number, kResectedColour, std::move(parts[r].pieces));
+    meshes.push_back(part(numbered("resection_surface", r + 1), "resection surface", number, kSurfaceColour, false,
+                          std::move(parts[r].surface)));
+  }
 }
 
 bool isWordCharacter(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80U; }
@@ -271,8 +281,8 @@ std::vector<std::string> wordsOf(const std::string& text) {
 
 }  // namespace
 
-std::vector<PackageMesh> packageMeshes(const Case& source, const ResectionPlan& plan, const ExportOptions& options,
-                                       const ExecutionContext& context) {
+std::vector<PackageMesh> packageMeshes(const Case& source, const ResectionPlan& plan, const std::vector<IslandAssessment>& islands,
+                                       const ExportOptions& options, const ExecutionContext& context) {
   const Structure* parenchyma = source.model ? source.model->find("parenchyma") : nullptr;
   if (parenchyma == nullptr) {
     throw PlanningError("The model has no parenchyma, so there is nothing to export: build the model first.");
@@ -289,7 +299,7 @@ std::vector<PackageMesh> packageMeshes(const Case& source, const ResectionPlan& 
     context.throwIfCancelled();
   }
   if (!plan.resections.empty()) {
-    addPlannedParts(*parenchyma, plan, context.range(0.8, 1.0), meshes);
+    addPlannedParts(*parenchyma, plan, islands, context.range(0.8, 1.0), meshes);
   }
   return meshes;
 }

@@ -8,6 +8,7 @@
 
 #include "planning/exchange/mesh_files.h"
 #include "planning/exchange/package.h"
+#include "planning/volumetry/assessment.h"
 
 namespace glisson {
 
@@ -18,11 +19,12 @@ struct PackageMesh {
   int resection = -1;  ///< index into the plan's resections, for resected parts and their surface
 };
 
-/// Structures in the model's order, then remnant, resected parts and resection surfaces. Throws PlanningError (no parenchyma, not
+/// Structures in the model's order, then remnant, resected parts and resection surfaces; of the plan's assessment, those `islands`
+/// that are given to the other side are meshes of that side. Throws PlanningError (no parenchyma, not
 /// built, defects with self-intersection, deviations not accepted, a resection that does not divide the liver), Cancelled (polled
 /// between meshes and inside the cuts).
-std::vector<PackageMesh> packageMeshes(const Case& source, const ResectionPlan& plan, const ExportOptions& options,
-                                       const ExecutionContext& context);
+std::vector<PackageMesh> packageMeshes(const Case& source, const ResectionPlan& plan, const std::vector<IslandAssessment>& islands,
+                                       const ExportOptions& options, const ExecutionContext& context);
 
 /// `text`, or `fallback` where it holds a part of the patient's name, the id or the birth date (hazard H8).
 std::string pseudonymous(const std::string& text, const std::string& fallback, const Case& source);

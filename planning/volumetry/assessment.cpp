@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "planning/volumetry/island_depth.h"
 #include "planning/volumetry/resected.h"
 #include "planning/volumetry/side_pieces.h"
 #include "planning/volumetry/tumour_depth.h"
@@ -224,11 +225,19 @@ TumourAssessment PlanAssessor::Impl::assessTumour(std::size_t place, const PlanI
   }
   if (resected > 0 && resected < unitsOf(tumour.rows)) {
     result.state = TumourState::Cut;
-    if (!plan.hasSwitched()) {  // the depth to a region that is no intersection of half-spaces is not known
-      Vec3 normal;
-      result.marginMm = -greatestDepth(tumour.rows, geometry.spacing, plan.resections, normal);
-      result.marginAtLeastMm = *result.marginMm - resolutionMm(normal, geometry.spacing);
+    if (plan.hasSwitched() && cut.pieces().empty()) {
+      return result;  // it lies beside the liver, where nothing divides the sides any more
     }
+    if (plan.hasSwitched()) {
+      const CutDistance::Way way = greatestDepth(tumour.rows, geometry.spacing, plan.resections, *plan.sides, cut);
+      const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : cut.pieces()[way.piece].normal;
+      result.marginMm = -way.mm;
+      result.marginAtLeastMm = -way.mm - cut.pieces()[way.piece].flatteningMm - resolutionMm(along, geometry.spacing);
+      return result;
+    }
+    Vec3 normal;
+    result.marginMm = -greatestDepth(tumour.rows, geometry.spacing, plan.resections, normal);
+    result.marginAtLeastMm = *result.marginMm - resolutionMm(normal, geometry.spacing);
     return result;
   }
   result.state = resected == 0 ? TumourState::Left : TumourState::Removed;
@@ -323,12 +332,6 @@ PlanAssessment PlanAssessor::Impl::assess(const ResectionPlan& source, bool with
   const std::optional<SidePieces>& sides = plan.sides ? plan.sides : found;
   if (withIslands && sides && result.divides) {
     result.islands = listIslands(plan, *sides);
-  }
-  for (const TumourAssessment& tumour : assessed) {
-    if (tumour.state == TumourState::Cut && !tumour.marginMm) {
-      addSentence(result.warning,
-                  "The margin of " + tumour.name + " is not measured while it is cut and islands are given to a side.");
-    }
   }
   result.tumours = std::move(assessed);
   result.vesselsCrossed = std::move(crossings);

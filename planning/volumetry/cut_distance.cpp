@@ -155,11 +155,23 @@ void CutDistance::findSharedPlanes() {
   }
 }
 
-TumourBoxes::TumourBoxes(const VoxelRows& rows, const Vec3& spacing) {
+namespace {
+std::vector<Box> boxesOf(const VoxelRows& rows, const Vec3& spacing) {
+  std::vector<Box> boxes;
+  boxes.reserve(rows.runs.size());
+  for (const RowRun& run : rows.runs) {
+    boxes.push_back(boxOf(run, spacing));
+  }
+  return boxes;
+}
+}  // namespace
+
+TumourBoxes::TumourBoxes(const VoxelRows& rows, const Vec3& spacing) : TumourBoxes(boxesOf(rows, spacing)) {}
+
+TumourBoxes::TumourBoxes(std::vector<Box> from) : boxes(std::move(from)) {
   std::vector<Vec3> low;
   std::vector<Vec3> high;
-  for (const RowRun& run : rows.runs) {
-    const Box& box = boxes.emplace_back(boxOf(run, spacing));
+  for (const Box& box : boxes) {
     low.push_back(box.centre - box.half);
     high.push_back(box.centre + box.half);
   }

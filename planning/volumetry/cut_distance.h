@@ -14,6 +14,7 @@ namespace glisson {
 /// A tumour's runs of voxels as boxes, to be measured from again and again.
 struct TumourBoxes {
   TumourBoxes(const VoxelRows& rows, const Vec3& spacing);
+  explicit TumourBoxes(std::vector<Box> boxes);
   std::vector<Box> boxes;
   BoxTree tree;
 };

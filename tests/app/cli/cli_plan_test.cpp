@@ -208,8 +208,7 @@ TEST_F(CliPlanning, IslandThatIsNoneChangesNothingAndSaysSo) {
   const Json after = plan({"--island", at(-400, 0, 0) + ",resected"});
   EXPECT_EQ(after["resectedMl"], before["resectedMl"]);
   EXPECT_NE(after["warning"].get<std::string>().find("no island"), std::string::npos);
-  const Finished exported = cli({"export", file_, "-o", folder_ / "out", "--accept-deviations"});
-  expectRefusal(exported, 3, "gives islands to the other side");
+  EXPECT_EQ(cli({"export", file_, "-o", folder_ / "out", "--accept-deviations"}).exitCode, 0);
   EXPECT_TRUE(plan({"--island", at(-400, 0, 0) + ",back"})["warning"].is_null());
   expectRefusal(refused({"--island", at(-400, 0, 0) + ",back"}), 2, "no island at that point");
   expectRefusal(refused({"--island", "1,2,3,up"}), 2, "--island");

@@ -116,6 +116,33 @@ TEST(Islands, TumoursAndVesselsBelongToTheSideTheirIslandIsGivenTo) {
   EXPECT_EQ(after.vesselsCrossed.size(), 1U) << "the vessel is in the other leg";
 }
 
+TEST(Islands, DepthOfACutTumourIsToTheSurfaceThatStillDividesTheSides) {
+  const ImageGeometry g = gridOf({90, 34, 28}, kSpacing, Vec3(-5, -5, -5));
+  const Inside bar = box(Vec3(0, 0, 0), Vec3(60, 20, 15));
+  const Inside longLeg = box(Vec3(0, 0, 0), Vec3(12, 20, 55));
+  const Inside shortLeg = box(Vec3(48, 0, 0), Vec3(60, 20, 45));
+  const Inside foot = box(Vec3(3, 5, 8), Vec3(57, 12, 12));
+  const Inside shaft = box(Vec3(3, 5, 8), Vec3(9, 12, 30));
+  const PlanAssessor assessor(newCase(
+      nullptr,
+      segmentationOf(g, {{"liver", StructureKind::Liver, [=](const Vec3& p) { return bar(p) || longLeg(p) || shortLeg(p); }},
+                         {"tumour", StructureKind::Tumour, [=](const Vec3& p) { return foot(p) || shaft(p); }}})));
+  const ResectionPlan plan = planOf({{kAcrossLegs}});
+  const PlanAssessment before = assessor.assess(plan);
+  ASSERT_EQ(before.tumours[0].state, TumourState::Cut);
+  const double down = 25.3 - 8.75;  // the lower face of the foot's first slice
+  EXPECT_NEAR(before.tumours[0].marginMm.value(), -down, 1e-9);
+  // Under the shorter leg nothing is cut any more: the way goes to the edge of the other leg's cut.
+  ASSERT_EQ(before.islands.size(), 1U);
+  const PlanAssessment after = assessor.assess(apply(plan, AssignIsland{{before.islands[0].point, PlanSide::Remnant}}));
+  ASSERT_EQ(after.tumours[0].state, TumourState::Cut);
+  const double across = 57.0 - 12.2;  // faces of the last voxels of foot and longer leg
+  const double depth = std::hypot(across, down);
+  EXPECT_NEAR(after.tumours[0].marginMm.value(), -depth, 1e-9);
+  EXPECT_NEAR(after.tumours[0].marginAtLeastMm.value(), -depth - 0.5 * (across * 0.8 + down * 2.5) / depth, 1e-9);
+  EXPECT_TRUE(after.warning.empty()) << after.warning;
+}
+
 TEST(Islands, MainPiecesAndPlacesOutsideCannotBeGivenAway) {
   const PlanAssessor assessor(archLiver());
   const ResectionPlan plan = planOf({{kAcrossLegs}});
