@@ -78,6 +78,16 @@ void printCuts(const char* vessel, const std::vector<VesselCut>& cuts) {
   }
 }
 
+void printTumours(const std::vector<TumourTerritories>& tumours) {
+  for (const TumourTerritories& tumour : tumours) {
+    std::string parts;
+    for (const TerritoryShare& share : tumour.shares) {
+      parts += (parts.empty() ? "" : ", ") + share.name + " " + ml(share.volumeMl) + " (" + formatNumber(share.percent, 0) + " %)";
+    }
+    std::cout << tumour.id << ' ' << tumour.name << " lies in (estimate): " << (parts.empty() ? "none of them" : parts) << '\n';
+  }
+}
+
 void printBranches(const VesselGraph& portal) {
   std::vector<std::vector<std::string>> rows{
       {"portal branch", "behind", "role", "length", "diameter", "in the liver, with all behind it"}};
@@ -140,10 +150,11 @@ TerritoryCommand::TerritoryCommand(const Case& source, const TerritoryFlags& fla
     }
   }
   notes_.insert(notes_.end(), territories_.notes.begin(), territories_.notes.end());
+  tumours_ = tumourTerritories(source, territories_);
 }
 
 TerritoryReport TerritoryCommand::report(const ResectionPlan& plan) const {
-  return {territories_, volumesOf(territories_, plan), perfusion_.effectOf(plan), notes_};
+  return {territories_, volumesOf(territories_, plan), perfusion_.effectOf(plan), notes_, tumours_};
 }
 
 void TerritoryCommand::printText(const TerritoryReport& report) const {
@@ -159,6 +170,7 @@ void TerritoryCommand::printText(const TerritoryReport& report) const {
       rows.push_back({part.name, ml(part.volumeMl), ml(part.resectedMl), ml(part.remnantMl)});
     }
     std::cout << alignedTable(rows);
+    printTumours(report.tumours);
     if (!report.territories.confirmed) {
       std::cout << "left and right are proposed from the main bifurcation: look at them, then give --confirm-territories\n";
     }

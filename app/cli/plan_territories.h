@@ -25,6 +25,8 @@ class TerritoryCommand {
   [[nodiscard]] const LiverPerfusion& perfusion() const { return perfusion_; }
   /// What the case is to keep: what the flags say, else what it held.
   [[nodiscard]] const TerritoryMarks& marks() const { return marks_; }
+  /// What was done to them, as it stands behind Undo.
+  [[nodiscard]] std::string editName() const { return marks_.proposed ? "confirm territories" : "pick territory"; }
   void printText(const TerritoryReport& report) const;
 
  private:
@@ -32,6 +34,7 @@ class TerritoryCommand {
   Territories territories_;
   TerritoryMarks marks_;
   std::vector<std::string> notes_;
+  std::vector<TumourTerritories> tumours_;
 };
 
 }  // namespace glisson::cli

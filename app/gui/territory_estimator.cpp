@@ -180,8 +180,10 @@ void TerritoryEstimator::follow() {
   request.fail = [this](const std::exception& error) { emit refused(messageOf(error)); };
   submitFor<TerritoryReport>(
       jobs_, std::move(request),
-      [perfusion = perfusion_, territories = territories_, plan = document_.plan()](const ExecutionContext&) {
-        TerritoryReport report{*territories, volumesOf(*territories, plan), perfusion->effectOf(plan), perfusion->notes()};
+      [perfusion = perfusion_, territories = territories_, plan = document_.plan(),
+       content = document_.content()](const ExecutionContext&) {
+        TerritoryReport report{*territories, volumesOf(*territories, plan), perfusion->effectOf(plan), perfusion->notes(),
+                               tumourTerritories(content, *territories)};
         report.notes.insert(report.notes.end(), territories->notes.begin(), territories->notes.end());
         return report;
       },

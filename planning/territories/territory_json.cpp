@@ -58,6 +58,14 @@ std::string toJson(const PlanAssessment& assessment, const TerritoryReport& repo
     estimates["territories"].push_back(
         {{"name", part.name}, {"volumeMl", part.volumeMl}, {"resectedMl", part.resectedMl}, {"remnantMl", part.remnantMl}});
   }
+  estimates["tumours"] = Json::array();
+  for (const TumourTerritories& tumour : report.tumours) {
+    Json shares = Json::array();
+    for (const TerritoryShare& share : tumour.shares) {
+      shares.push_back({{"name", share.name}, {"volumeMl", share.volumeMl}, {"percent", share.percent}});
+    }
+    estimates["tumours"].push_back({{"id", tumour.id}, {"name", tumour.name}, {"territories", std::move(shares)}});
+  }
   const bool known = report.effect.isKnown();
   estimates["devascularisedMl"] = orNull(report.effect.devascularisedMl);
   estimates["congestedMl"] = orNull(report.effect.congestedMl);

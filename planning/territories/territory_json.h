@@ -5,6 +5,7 @@
 
 #include "planning/territories/perfusion.h"
 #include "planning/territories/territories.h"
+#include "planning/territories/tumour_territories.h"
 #include "planning/volumetry/assessment.h"
 
 namespace glisson {
@@ -15,6 +16,7 @@ struct TerritoryReport {
   std::vector<TerritoryVolume> volumes;
   PerfusionEstimate effect;
   std::vector<std::string> notes;
+  std::vector<TumourTerritories> tumours;  ///< which of them each tumour lies in
 };
 
 /// The object of toJson(assessment) with `estimates` as its last key. camelCase, units in the keys, positions LPS.
