@@ -66,26 +66,30 @@ struct Work {
   std::size_t index = 0;                   ///< of the plan
   std::optional<std::size_t> cut;          ///< the resection that got planes
   std::optional<MarginProposal> proposal;  ///< where one was asked for
-  bool edited = false;
+  std::vector<std::string> edits;          ///< of the plans, as they stand behind Undo
 
   [[nodiscard]] ResectionPlan& plan() { return source.plans[index]; }
   void edit(const PlanEdit& edit) {
+    edits.push_back(nameOf(plan(), edit));
     plan() = apply(plan(), edit);
-    edited = true;
   }
+  /// All of one call is one step.
+  [[nodiscard]] std::string editName() const { return edits.size() == 1 ? edits.front() : "edit plans"; }
 };
 
 /// Copy, rename and delete: the list first, so that the edits of the same call go into the right plan.
 void editList(const PlanFlags& flags, Work& work) {
-  work.edited = !flags.duplicate.empty() || !flags.rename.empty() || flags.remove;
   if (!flags.duplicate.empty()) {
+    work.edits.emplace_back("duplicate plan");
     work.source.plans = withDuplicate(work.source.plans, work.index, flags.duplicate);
     ++work.index;
   }
   if (!flags.rename.empty()) {
+    work.edits.emplace_back("rename plan");
     work.source.plans = withRenamed(work.source.plans, work.index, flags.rename);
   }
   if (flags.remove) {
+    work.edits.emplace_back("delete plan");
     work.source.plans = without(work.source.plans, work.index);
     work.index = 0;
   }
@@ -279,12 +283,13 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
 }
 
 /// All that the call changes, or nothing of it.
-void store(CaseFile& file, Work& work, const PatientFacts& before, const std::shared_ptr<const LiverModel>& modelBefore,
-           const TerritoryCommand* territories) {
+void store(CaseFile& file, const PlanFlags& flags, Work& work, const PatientFacts& before,
+           const std::shared_ptr<const LiverModel>& modelBefore, const TerritoryCommand* territories) {
   const TerritoryMarks marks = territories != nullptr ? territories->marks() : work.source.territories;
   CaseChanges changes;
-  if (work.edited) {
+  if (!work.edits.empty()) {
     changes.plans = &work.source.plans;
+    changes.planEdit = work.editName();
   }
   if (work.source.patient != before) {
     changes.patient = &work.source.patient;
@@ -292,9 +297,11 @@ void store(CaseFile& file, Work& work, const PatientFacts& before, const std::sh
   }
   if (!(marks == work.source.territories)) {
     changes.territories = &marks;
+    changes.territoryEdit = territories->editName();
   }
   if (work.source.model != modelBefore) {
     changes.model = work.source.model.get();
+    changes.modelEdit = flags.acceptance.accept.empty() ? "edit structures" : "accept structures";
   }
   if (changes.plans != nullptr || changes.patient != nullptr || changes.territories != nullptr || changes.model != nullptr) {
     file.store(changes);
@@ -305,7 +312,7 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   checkFlags(flags);
   checkTerritoryFlags(flags.territories);
   CaseFile file = CaseFile::open(flags.caseFile);
-  Work work{file.load(), 0, {}, {}, false};
+  Work work{file.load(), 0, {}, {}, {}};
   work.index = planIndex(work.source.plans, flags.plan, "--plan", flags.caseFile);
   const PatientFacts before = work.source.patient;
   const std::shared_ptr<const LiverModel> modelBefore = work.source.model;
@@ -330,7 +337,7 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
     territories.emplace(work.source, flags.territories, context);
   }
   if (!flags.dryRun) {
-    store(file, work, before, modelBefore, territories ? &*territories : nullptr);
+    store(file, flags, work, before, modelBefore, territories ? &*territories : nullptr);
   }
   show(flags, work, assessment, comparison, territories ? &*territories : nullptr, context);
   return kDone;

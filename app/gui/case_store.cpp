@@ -66,10 +66,10 @@ void CaseStore::storePatient(const PatientFacts& facts, const QString& name) {
   });
 }
 
-void CaseStore::storeTerritories(const TerritoryMarks& marks) {
-  post([marks](Worker& worker) {
+void CaseStore::storeTerritories(const TerritoryMarks& marks, const QString& name) {
+  post([marks, name = name.toStdString()](Worker& worker) {
     if (worker.file) {
-      worker.file->storeTerritories(marks);
+      worker.file->storeTerritories(marks, name);
     }
   });
 }
@@ -79,6 +79,15 @@ void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
   post([model = std::move(model), models = models_, mine](Worker& worker) {
     if (worker.file && models->load() == mine) {  // else a newer model of the same file waits behind
       worker.file->storeModel(*model);
+    }
+  });
+}
+
+void CaseStore::editModel(std::shared_ptr<const LiverModel> model, const QString& name, bool goesOn) {
+  ++*models_;
+  post([model = std::move(model), name = name.toStdString(), goesOn](Worker& worker) {
+    if (worker.file) {
+      worker.file->store({.model = model.get(), .modelEdit = name, .modelGoesOn = goesOn});
     }
   });
 }
@@ -96,7 +105,7 @@ void CaseStore::withRecord(std::function<void(FileRecord)> then) {
 
 void CaseStore::saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete) {
   post([this, path, content, obsolete](Worker& worker) {
-    const std::vector<PlanStep> history = worker.file ? worker.file->history() : std::vector<PlanStep>();
+    const std::vector<EditStep> history = worker.file ? worker.file->history() : std::vector<EditStep>();
     auto fresh = std::make_shared<CaseFile>(CaseFile::create(path, content, history, {.earlier = worker.file.get()}));
     worker.file = std::move(fresh);
     if (!obsolete.empty() && obsolete != path) {

@@ -1,7 +1,7 @@
 #pragma once
 // Purpose: keeps the open case on disk without making the window wait: one thread owns the CaseFile; edits reach it in order, each
-// a committed transaction of its own, within milliseconds. Models that wait behind a newer one are skipped. Called on the UI
-// thread; signals are emitted there.
+// a committed transaction of its own, within milliseconds. Models that wait behind a newer one are skipped, edits never are. Called
+// on the UI thread; signals are emitted there.
 
 #include <QObject>
 #include <QString>
@@ -20,7 +20,7 @@ namespace glisson {
 
 /// What a copy of the file takes over that is not in the case.
 struct FileRecord {
-  std::vector<PlanStep> history;
+  std::vector<EditStep> history;
   std::optional<std::vector<CtFileHash>> ctFiles;  ///< nothing: the case is in no file
 };
 
@@ -38,8 +38,10 @@ class CaseStore : public QObject {
   /// `name`: of the edit, for the undo history.
   void storePlans(const std::vector<ResectionPlan>& plans, const QString& name);
   void storePatient(const PatientFacts& facts, const QString& name);
-  void storeTerritories(const TerritoryMarks& marks);
+  void storeTerritories(const TerritoryMarks& marks, const QString& name);
   void storeModel(std::shared_ptr<const LiverModel> model);
+  /// What a person has set on the model's structures: never skipped. `goesOn`: one edit with the one before.
+  void editModel(std::shared_ptr<const LiverModel> model, const QString& name, bool goesOn);
   /// Hands the undo records of everything given over before, and the SHA-256 of the CT's files, to `then`, later, on the UI thread.
   void withRecord(std::function<void(FileRecord)> then);
   /// Writes the whole case to `path`, goes on there, and removes `obsolete` (a recovery file) where it is given. A CT embedded in

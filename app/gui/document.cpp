@@ -88,43 +88,6 @@ QString Document::stepName(const QString& text) {
 
 bool Document::isClean() const { return !open_ || (!recovery_ && undo_.isClean()); }
 
-void Document::setColour(const std::string& structureId, Rgb colour) {
-  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
-  if (structure != nullptr && structure->colour != colour) {
-    const Appearance before{structure->colour, structure->opacity};
-    undo_.push(new AppearanceCommand(*this, QString::fromLatin1(QT_TR_NOOP("change colour")), AppearanceCommand::What::Colour,
-                                     structureId, before, {colour, structure->opacity}));
-  }
-}
-
-void Document::setOpacity(const std::string& structureId, double opacity) {
-  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
-  if (structure != nullptr && structure->opacity != opacity) {
-    const Appearance before{structure->colour, structure->opacity};
-    undo_.push(new AppearanceCommand(*this, QString::fromLatin1(QT_TR_NOOP("change opacity")), AppearanceCommand::What::Opacity,
-                                     structureId, before, {structure->colour, opacity}));
-  }
-}
-
-void Document::setVisible(const std::string& structureId, bool visible) {
-  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
-  if (structure != nullptr && structure->visible != visible) {
-    Structure changed = *structure;
-    changed.visible = visible;
-    replaceModel(withStructure(*case_.model, std::move(changed)));
-  }
-}
-
-void Document::setAppearance(const std::string& structureId, const Appearance& appearance) {
-  const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
-  if (structure != nullptr) {
-    Structure changed = *structure;
-    changed.colour = appearance.colour;
-    changed.opacity = appearance.opacity;
-    replaceModel(withStructure(*case_.model, std::move(changed)));
-  }
-}
-
 void Document::setReconstruction(const std::string& structureId, std::shared_ptr<const Reconstruction> reconstruction) {
   const Structure* structure = case_.model ? case_.model->find(structureId) : nullptr;
   if (structure != nullptr) {

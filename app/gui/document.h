@@ -6,6 +6,7 @@
 #include <QString>
 #include <QUndoStack>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -92,11 +93,10 @@ class Document : public QObject {
   void setTerritories(const TerritoryMarks& marks, const QString& step);
   void setColour(const std::string& structureId, Rgb colour);
   void setOpacity(const std::string& structureId, double opacity);
+  void setVisible(const std::string& structureId, bool visible);
   /// These structures are accepted by a person, now; those that are not made yet are left out. One step.
   void accept(const std::vector<std::string>& structureIds, const std::string& by);
   void withdrawAcceptance(const std::string& structureId);
-  /// A matter of looking, not of the plan: stored, but no undo step.
-  void setVisible(const std::string& structureId, bool visible);
 
   /// From begin to end is one undo step. Between them all numbers but the islands follow in the same frame where the last ones took
   /// no longer than that, else the volumes alone.
@@ -143,12 +143,7 @@ class Document : public QObject {
   friend class PlansCommand;
   friend class PatientCommand;
   friend class TerritoriesCommand;
-  friend class AppearanceCommand;
-  friend class AcceptanceCommand;
-  struct Appearance {
-    Rgb colour;
-    double opacity = 1;
-  };
+  friend class StructuresCommand;
   void leave();
   [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const ResectionPlane& plane) const;
   void pushPlans(const QString& name, std::vector<ResectionPlan> plans, const ChosenPlane& chosen);
@@ -157,18 +152,21 @@ class Document : public QObject {
   void restoreHistory(const CaseFile& file);
   /// `name`: of the edit, for the history; empty where it takes one back.
   void storePatient(const PatientFacts& facts, const QString& name);
-  void storeTerritories(const TerritoryMarks& marks);
-  void setAppearance(const std::string& structureId, const Appearance& appearance);
-  void pushAcceptance(const QString& name, const std::vector<const Structure*>& structures, const std::optional<Acceptance>& after);
-  /// `of`: the surface that was looked at; a structure that has another one by now keeps what it has.
-  struct AcceptanceChange {
-    std::string structureId;
-    std::shared_ptr<const Reconstruction> of;
-    std::optional<Acceptance> before;
-    std::optional<Acceptance> after;
+  void storeTerritories(const TerritoryMarks& marks, const QString& name);
+  /// What an edit changes of a structure: that in which the states differ.
+  struct StructureChange {
+    StructureState before;
+    StructureState after;
+    std::shared_ptr<const Reconstruction> of;  ///< whose acceptance is changed; a structure with another one keeps what it has
   };
-  /// `side`: before or after. All of them are one new model.
-  void setAcceptances(const std::vector<AcceptanceChange>& changes, std::optional<Acceptance> AcceptanceChange::*side);
+  enum class Direction : std::uint8_t { Forth, Back };
+  /// All of them are one new model. `name` and `goesOn` as in CaseStore.
+  void setStructures(const std::vector<StructureChange>& changes, Direction direction, const QString& name, bool goesOn = false);
+  /// Nothing where the structure is missing or `change` leaves it as it is.
+  void pushStructure(const QString& name, const std::string& structureId, const std::function<void(StructureState&)>& change);
+  void pushAcceptance(const QString& name, const std::vector<const Structure*>& structures, const std::optional<Acceptance>& after);
+  /// An edit of an earlier session, on the structures as they are now.
+  [[nodiscard]] std::vector<StructureChange> changesOf(const Change<std::vector<StructureState>>& edit) const;
   void replaceModel(std::shared_ptr<const LiverModel> model);
   void prepareAssessor();
   void assessVolumes();

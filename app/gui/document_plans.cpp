@@ -11,13 +11,6 @@ namespace {
 
 constexpr const char* kPatientStep = QT_TRANSLATE_NOOP("glisson::Document", "change patient facts");
 
-bool leadsBack(const PlanStep& undo, const PlanStep& step) {
-  if (undo.patient || step.patient) {
-    return undo.patient && step.patient && step.patient->before == undo.patient->after;
-  }
-  return step.before == undo.after;
-}
-
 /// The nearest place that exists.
 ChosenPlane existing(const std::vector<ResectionPlan>& plans, ChosenPlane chosen) {
   const auto within = [](std::size_t place, std::size_t size) { return size == 0 ? 0 : std::min(place, size - 1); };
@@ -193,27 +186,21 @@ void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& cho
 }
 
 void Document::restoreHistory(const CaseFile& file) {
-  std::vector<PlanStep> standing;
-  for (PlanStep& step : file.history()) {
-    if (!step.patient && step.before == step.after) {
-      continue;  // an edit of the patient that an older program copied without what it did
-    }
-    // An undo was stored as an edit without a name that leads back.
-    if (step.name.empty() && !standing.empty() && leadsBack(step, standing.back())) {
-      standing.pop_back();
-    } else {
-      standing.push_back(std::move(step));
-    }
-  }
-  for (const PlanStep& step : standing) {
+  for (const EditStep& step : standingEdits(file.history())) {
+    const auto named = [&](const char* otherwise) {
+      return step.name.empty() ? QString::fromLatin1(otherwise) : QString::fromStdString(step.name);
+    };
     if (step.patient) {
-      const QString text = step.name.empty() ? QString::fromLatin1(kPatientStep) : QString::fromStdString(step.name);
-      undo_.push(new PatientCommand(*this, text, step.patient->before, step.patient->after, true));
-      continue;
+      undo_.push(new PatientCommand(*this, named(kPatientStep), step.patient->before, step.patient->after, true));
+    } else if (step.territories) {
+      const QString name = named(QT_TR_NOOP("change territories"));
+      undo_.push(new TerritoriesCommand(*this, name, step.territories->before, step.territories->after, true));
+    } else if (step.structures) {
+      undo_.push(new StructuresCommand(*this, named(QT_TR_NOOP("edit structures")), changesOf(*step.structures), false, true));
+    } else {
+      const PlansCommand::State before{step.before, existing(step.before, {})};
+      undo_.push(new PlansCommand(*this, named(QT_TR_NOOP("edit plans")), before, {step.after, existing(step.after, {})}, true));
     }
-    const QString name = step.name.empty() ? QString::fromLatin1(QT_TR_NOOP("edit plans")) : QString::fromStdString(step.name);
-    undo_.push(
-        new PlansCommand(*this, name, {step.before, existing(step.before, {})}, {step.after, existing(step.after, {})}, true));
   }
   undo_.setClean();
 }
@@ -231,10 +218,10 @@ void Document::setTerritories(const TerritoryMarks& marks, const QString& step) 
   }
 }
 
-void Document::storeTerritories(const TerritoryMarks& marks) {
+void Document::storeTerritories(const TerritoryMarks& marks, const QString& name) {
   case_.territories = marks;
   if (!readOnly_) {
-    store_.storeTerritories(marks);
+    store_.storeTerritories(marks, name);
   }
   emit territoriesChanged();
 }

@@ -27,35 +27,50 @@ void PatientCommand::redo() {
   done_ = false;
 }
 
-TerritoriesCommand::TerritoriesCommand(Document& document, const QString& text, TerritoryMarks before, TerritoryMarks after)
-    : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)) {}
+TerritoriesCommand::TerritoriesCommand(Document& document, const QString& text, TerritoryMarks before, TerritoryMarks after,
+                                       bool done)
+    : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)), done_(done) {}
 
-void TerritoriesCommand::undo() { document_.storeTerritories(before_); }
+void TerritoriesCommand::undo() { document_.storeTerritories(before_, {}); }
 
-void TerritoriesCommand::redo() { document_.storeTerritories(after_); }
+void TerritoriesCommand::redo() {
+  if (!done_) {
+    document_.storeTerritories(after_, text());
+  }
+  done_ = false;
+}
 
-AppearanceCommand::AppearanceCommand(Document& document, const QString& text, What what, std::string structureId,
-                                     Document::Appearance before, Document::Appearance after)
-    : QUndoCommand(text), document_(document), what_(what), structureId_(std::move(structureId)), before_(before), after_(after) {}
+StructuresCommand::StructuresCommand(Document& document, const QString& text, std::vector<Document::StructureChange> changes,
+                                     bool goesOn, bool done)
+    : QUndoCommand(text), document_(document), changes_(std::move(changes)), goesOn_(goesOn), done_(done) {}
 
-bool AppearanceCommand::mergeWith(const QUndoCommand* other) {
-  const auto* next = dynamic_cast<const AppearanceCommand*>(other);
-  if (next == nullptr || next->structureId_ != structureId_ || what_ == What::Colour) {
+int StructuresCommand::id() const { return 1; }  // any but -1, which is never merged
+
+bool StructuresCommand::mergeWith(const QUndoCommand* other) {
+  const auto* next = dynamic_cast<const StructuresCommand*>(other);
+  if (next == nullptr || !next->goesOn_) {
     return false;
   }
-  after_ = next->after_;
+  changes_.front().after = next->changes_.front().after;
   return true;
 }
 
-void AppearanceCommand::undo() { document_.setAppearance(structureId_, before_); }
+void StructuresCommand::undo() { document_.setStructures(changes_, Document::Direction::Back, {}); }
 
-void AppearanceCommand::redo() { document_.setAppearance(structureId_, after_); }
+void StructuresCommand::redo() {
+  if (!done_) {
+    document_.setStructures(changes_, Document::Direction::Forth, text(), goesOn_);
+  }
+  done_ = false;
+}
 
-AcceptanceCommand::AcceptanceCommand(Document& document, const QString& text, std::vector<Document::AcceptanceChange> changes)
-    : QUndoCommand(text), document_(document), changes_(std::move(changes)) {}
-
-void AcceptanceCommand::undo() { document_.setAcceptances(changes_, &Document::AcceptanceChange::before); }
-
-void AcceptanceCommand::redo() { document_.setAcceptances(changes_, &Document::AcceptanceChange::after); }
+bool StructuresCommand::isOpacityOf(const std::string& structureId) const {
+  if (changes_.size() != 1 || changes_.front().before.id != structureId) {
+    return false;
+  }
+  StructureState before = changes_.front().before;
+  before.opacity = changes_.front().after.opacity;
+  return before == changes_.front().after;
+}
 
 }  // namespace glisson

@@ -42,7 +42,8 @@ class PatientCommand : public QUndoCommand {
 
 class TerritoriesCommand : public QUndoCommand {
  public:
-  TerritoriesCommand(Document& document, const QString& text, TerritoryMarks before, TerritoryMarks after);
+  /// `done` as in PlansCommand.
+  TerritoriesCommand(Document& document, const QString& text, TerritoryMarks before, TerritoryMarks after, bool done = false);
   void undo() override;
   void redo() override;
 
@@ -50,37 +51,28 @@ class TerritoriesCommand : public QUndoCommand {
   Document& document_;
   TerritoryMarks before_;
   TerritoryMarks after_;
+  bool done_;
 };
 
-/// Steps of the same slider on the same structure become one.
-class AppearanceCommand : public QUndoCommand {
+/// How structures look, and who accepts them; several at once are one step. An acceptance holds for the surface that was looked at:
+/// done again, it leaves a new one alone.
+class StructuresCommand : public QUndoCommand {
  public:
-  enum class What { Colour = 1, Opacity = 2 };
-  AppearanceCommand(Document& document, const QString& text, What what, std::string structureId, Document::Appearance before,
-                    Document::Appearance after);
-  [[nodiscard]] int id() const override { return static_cast<int>(what_); }
+  /// `goesOn`: what a slider does to the same structure as in the step before becomes one with it. `done` as in PlansCommand.
+  StructuresCommand(Document& document, const QString& text, std::vector<Document::StructureChange> changes, bool goesOn = false,
+                    bool done = false);
+  [[nodiscard]] int id() const override;
   bool mergeWith(const QUndoCommand* other) override;
   void undo() override;
   void redo() override;
+  /// It changes nothing but the opacity of this structure.
+  [[nodiscard]] bool isOpacityOf(const std::string& structureId) const;
 
  private:
   Document& document_;
-  What what_;
-  std::string structureId_;
-  Document::Appearance before_;
-  Document::Appearance after_;
-};
-
-/// Several structures at once are one step. It holds for the surfaces that were looked at: done again, it leaves new ones alone.
-class AcceptanceCommand : public QUndoCommand {
- public:
-  AcceptanceCommand(Document& document, const QString& text, std::vector<Document::AcceptanceChange> changes);
-  void undo() override;
-  void redo() override;
-
- private:
-  Document& document_;
-  std::vector<Document::AcceptanceChange> changes_;
+  std::vector<Document::StructureChange> changes_;
+  bool goesOn_;
+  bool done_;
 };
 
 }  // namespace glisson

@@ -5,6 +5,7 @@
 #include "planning/storage/case_tables.h"
 #include "planning/storage/embedded_ct.h"
 #include "planning/storage/file_lock.h"
+#include "planning/storage/history_table.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
@@ -124,7 +125,7 @@ CaseFile::~CaseFile() = default;
 CaseFile::CaseFile(CaseFile&&) noexcept = default;
 CaseFile& CaseFile::operator=(CaseFile&&) noexcept = default;
 
-CaseFile CaseFile::create(const fs::path& path, const Case& source, const std::vector<PlanStep>& history, const CtStorage& ct,
+CaseFile CaseFile::create(const fs::path& path, const Case& source, const std::vector<EditStep>& history, const CtStorage& ct,
                           const ExecutionContext& context) {
   if (!source.segmentation || !source.liver) {
     throw PlanningError("A case without a segmentation cannot be saved; open one first.");
@@ -206,10 +207,10 @@ void CaseFile::store(const CaseChanges& changes) {
     changed = caseTables::writePatient(database, *changes.patient, changes.patientEdit) || changed;
   }
   if (changes.territories != nullptr) {
-    changed = caseTables::writeTerritories(database, *changes.territories) || changed;
+    changed = caseTables::writeTerritories(database, *changes.territories, changes.territoryEdit) || changed;
   }
   if (changes.model != nullptr) {
-    caseTables::writeModel(database, *changes.model, meshes);
+    caseTables::editModel(database, *changes.model, meshes, {changes.modelEdit, changes.modelGoesOn});
     changed = true;
   }
   if (changed) {
@@ -224,14 +225,22 @@ void CaseFile::storePlans(const std::vector<ResectionPlan>& plans, const std::st
 
 void CaseFile::storePatient(const PatientFacts& facts, const std::string& name) { store({.patient = &facts, .patientEdit = name}); }
 
-void CaseFile::storeTerritories(const TerritoryMarks& marks) { store({.territories = &marks}); }
+void CaseFile::storeTerritories(const TerritoryMarks& marks, const std::string& name) {
+  store({.territories = &marks, .territoryEdit = name});
+}
 
-void CaseFile::storeModel(const LiverModel& model) { store({.model = &model}); }
+void CaseFile::storeModel(const LiverModel& model, const std::string& name) { store({.model = &model, .modelEdit = name}); }
 
-std::vector<PlanStep> CaseFile::history(std::size_t atMost) const { return caseTables::readHistory(impl_->database, atMost); }
+std::vector<EditStep> CaseFile::history(std::size_t atMost) const { return caseTables::readHistory(impl_->database, atMost); }
 
 bool CaseFile::ctUnchanged() const {
-  return caseTables::readCtFiles(impl_->database) == hashCtFiles(caseTables::readCtSource(impl_->database));
+  const std::string source = caseTables::readCtSource(impl_->database);
+  const std::vector<CtFileHash> known = ctFiles();
+  try {
+    return known == hashCtFiles(source);
+  } catch (const InputError&) {  // a file that may not be read is not known to be the one it was
+    return false;
+  }
 }
 
 std::vector<CtFileHash> CaseFile::ctFiles() const { return caseTables::readCtFiles(impl_->database); }

@@ -10,20 +10,9 @@
 
 #include "planning/case/case.h"
 #include "planning/storage/ct_files.h"
+#include "planning/storage/edit_step.h"
 
 namespace glisson {
-
-/// The undo record of one edit: of the plans, or of what the user said about the patient.
-struct PlanStep {
-  struct Patient {
-    PatientFacts before;
-    PatientFacts after;
-  };
-  std::string name;  ///< "move plane 2"; empty where the edit had none, and in records of version 1
-  std::vector<ResectionPlan> before;
-  std::vector<ResectionPlan> after;
-  std::optional<Patient> patient{};  ///< of an edit of the patient; the plans stayed as they were
-};
 
 class CaseFile;
 
@@ -43,7 +32,10 @@ struct CaseChanges {
   const PatientFacts* patient = nullptr;
   std::string patientEdit{};
   const TerritoryMarks* territories = nullptr;
+  std::string territoryEdit{};
   const LiverModel* model = nullptr;
+  std::string modelEdit{};
+  bool modelGoesOn = false;  ///< the newest record is of the same structures, and goes on: a slide that moves is one edit
 };
 
 class CaseFile {
@@ -51,7 +43,7 @@ class CaseFile {
   /// Creates a new file holding `source` (masks and meshes compressed, the CT by path and SHA-256). Written beside and renamed: an
   /// existing file is replaced only by a complete one, and not while somebody edits it. `history`: of the file it is saved from.
   /// Throws InputError, PlanningError where there is no CT to embed, Cancelled (polled while a CT is embedded).
-  static CaseFile create(const std::filesystem::path& path, const Case& source, const std::vector<PlanStep>& history = {},
+  static CaseFile create(const std::filesystem::path& path, const Case& source, const std::vector<EditStep>& history = {},
                          const CtStorage& ct = {}, const ExecutionContext& context = {});
   /// Opens for reading and, where no other process writes, for writing. Throws InputError: not a case, newer version, damaged.
   static CaseFile open(const std::filesystem::path& path);
@@ -69,14 +61,16 @@ class CaseFile {
   /// Replaces what the user said about the patient in one committed transaction, together with its undo record; equal facts are no
   /// edit. Throws as storePlans().
   void storePatient(const PatientFacts& facts, const std::string& name = {});
-  /// Replaces what the user said about the territories in one committed transaction, without an undo record. Throws InputError as
-  /// storePlans(), PlanningError where a mark is not valid.
-  void storeTerritories(const TerritoryMarks& marks);
-  /// Replaces the model (structures, colours, meshes, who accepts them) in one committed transaction.
-  void storeModel(const LiverModel& model);
+  /// Replaces what the user said about the territories in one committed transaction, together with its undo record; equal marks are
+  /// no edit. Throws InputError as storePlans(), PlanningError where a mark is not valid.
+  void storeTerritories(const TerritoryMarks& marks, const std::string& name = {});
+  /// Replaces the model (structures, colours, meshes, who accepts them) in one committed transaction, together with the undo record
+  /// of what a person has set. A surface that was made, and an acceptance that ended with the one before, are no edit.
+  void storeModel(const LiverModel& model, const std::string& name = {});
   /// The undo records of the newest `atMost` edits, oldest first: also those made before the program was last closed.
-  [[nodiscard]] std::vector<PlanStep> history(std::size_t atMost = 100) const;
-  /// The files at ctSource are those the case was made from, by SHA-256. False where they are gone or other ones.
+  [[nodiscard]] std::vector<EditStep> history(std::size_t atMost = 100) const;
+  /// The files at ctSource are those the case was made from, by SHA-256. False where they are gone, other ones, or
+  /// may not be read.
   [[nodiscard]] bool ctUnchanged() const;
   /// The files the case was made from; none where they could not be read then.
   [[nodiscard]] std::vector<CtFileHash> ctFiles() const;

@@ -32,6 +32,23 @@ StructureKind toKind(const Json& json) {
   return *kind;
 }
 
+/// Files of before it existed have none, and a program that does not know it forgets it: not accepted.
+void putAcceptance(Json& json, const std::optional<Acceptance>& acceptance) {
+  if (acceptance) {
+    validate(*acceptance);
+    json["acceptance"] = {{"by", acceptance->by}, {"at", acceptance->at}};
+  }
+}
+
+std::optional<Acceptance> toAcceptance(const Json& json) {
+  if (!json.contains("acceptance")) {
+    return std::nullopt;
+  }
+  const Acceptance acceptance{json.at("acceptance").at("by"), json.at("acceptance").at("at")};
+  validate(acceptance);
+  return acceptance;
+}
+
 Json fromDefects(const MeshDefects& d) {
   return Json::array({d.openEdges, d.orientationEdges, d.inward ? 1 : 0, d.nonManifoldEdges, d.nonManifoldVertices,
                       d.degenerateTriangles, d.selfIntersections});
@@ -224,6 +241,28 @@ TerritoryMarks toMarks(const Json& json) {
   return marks;
 }
 
+Json fromStates(const std::vector<StructureState>& states) {
+  Json list = Json::array();
+  for (const StructureState& state : states) {
+    list.push_back(
+        {{"id", state.id}, {"colour", fromColour(state.colour)}, {"opacity", state.opacity}, {"visible", state.visible}});
+    putAcceptance(list.back(), state.acceptance);
+    if (!state.surface.empty()) {
+      list.back()["surface"] = state.surface;
+    }
+  }
+  return list;
+}
+
+std::vector<StructureState> toStates(const Json& json) {
+  std::vector<StructureState> states;
+  for (const Json& one : json) {
+    states.push_back({one.at("id"), toColour(one.at("colour")), one.at("opacity"), one.at("visible"), toAcceptance(one),
+                      one.contains("surface") ? one.at("surface").get<std::string>() : std::string()});
+  }
+  return states;
+}
+
 Json fromIdentity(const PatientIdentity& p) {
   return {{"patientName", p.patientName}, {"patientId", p.patientId},      {"birthDate", p.birthDate},
           {"studyDate", p.studyDate},     {"series", p.seriesDescription}, {"frameOfReferenceUid", p.frameOfReferenceUid}};
@@ -299,10 +338,7 @@ Json fromStructure(const Structure& structure) {
   json["visible"] = structure.visible;
   json["sourceIndex"] = structure.sourceIndex;
   json["reconstruction"] = structure.reconstruction ? fromReconstruction(*structure.reconstruction) : Json();
-  if (structure.acceptance) {  // files of before it existed have none, and a program that does not know it forgets it: not accepted
-    validate(*structure.acceptance);
-    json["acceptance"] = {{"by", structure.acceptance->by}, {"at", structure.acceptance->at}};
-  }
+  putAcceptance(json, structure.acceptance);
   return json;
 }
 
@@ -320,10 +356,7 @@ StoredStructure toStructure(const Json& json) {
     stored.reconstruction = toReconstruction(made);
     stored.vertices = made.at("vertices");
     stored.triangles = made.at("triangles");
-    if (json.contains("acceptance")) {
-      stored.structure.acceptance = Acceptance{json.at("acceptance").at("by"), json.at("acceptance").at("at")};
-      validate(*stored.structure.acceptance);
-    }
+    stored.structure.acceptance = toAcceptance(json);
   }
   return stored;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planning/case/case.h"
+#include "planning/case/structure_state.h"
 
 namespace glisson::caseJson {
 
@@ -20,6 +21,9 @@ PatientFacts toFacts(const Json& json);
 Json fromMarks(const TerritoryMarks& marks);
 /// Validated.
 TerritoryMarks toMarks(const Json& json);
+
+Json fromStates(const std::vector<StructureState>& states);
+std::vector<StructureState> toStates(const Json& json);
 
 Json fromIdentity(const PatientIdentity& identity);
 PatientIdentity toIdentity(const Json& json);

@@ -4,6 +4,7 @@
 
 #include "planning/storage/case_json.h"
 #include "planning/storage/embedded_ct.h"
+#include "planning/storage/history_table.h"
 #include "planning/storage/packing.h"
 #include "planning/storage/table_access.h"
 #include "reconstruction/errors.h"
@@ -77,19 +78,6 @@ std::shared_ptr<const LiverModel> readModel(const Database& database, std::size_
   return model;
 }
 
-/// The plans as text, proven to read back: a number that is not finite would spoil the file.
-std::string plansText(const std::vector<ResectionPlan>& plans) {
-  std::string text = textOf(caseJson::fromPlans(plans));
-  try {
-    (void)caseJson::toPlans(Json::parse(text));
-  } catch (const std::exception&) {
-    throw PlanningError(
-        "The plan holds a number that is not finite, a normal that is not of unit length or a bend that is none; place the plane "
-        "again.");
-  }
-  return text;
-}
-
 void putTerritories(const Database& database, const TerritoryMarks& marks) {
   validate(marks);
   putDocument(database, "territories", textOf(caseJson::fromMarks(marks)));
@@ -112,20 +100,6 @@ void bringUpToDate(const Database& database) {
   }
 }
 
-/// What `read` gives; whatever does not fit becomes a sentence about the file.
-template <typename Read>
-auto readOrDamaged(const Database& database, const std::string& misfit, Read&& read) {
-  try {
-    return read();
-  } catch (const Json::exception&) {
-    damaged(database, misfit);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    damaged(database, error.what());
-  }
-}
-
 std::string formMisfit() { return "a document has not the form of version " + std::to_string(kVersion); }
 
 PatientFacts readPatient(const Database& database) {
@@ -141,9 +115,6 @@ TerritoryMarks readTerritories(const Database& database) {
   });
 }
 
-bool recordsPatient(const Database& database) {
-  return database.number("SELECT count(*) FROM pragma_table_info('history') WHERE name = 'patient_after'") > 0;
-}
 }  // namespace
 
 void createTables(const Database& database) {
@@ -152,7 +123,8 @@ void createTables(const Database& database) {
       "CREATE TABLE part(key TEXT PRIMARY KEY, data BLOB NOT NULL) STRICT;"
       "CREATE TABLE ct_file(name TEXT PRIMARY KEY, bytes INTEGER NOT NULL, sha256 TEXT NOT NULL) STRICT;"
       "CREATE TABLE history(step INTEGER PRIMARY KEY, before TEXT NOT NULL, after TEXT NOT NULL, "
-      "name TEXT NOT NULL DEFAULT '', patient_before TEXT, patient_after TEXT) STRICT;");
+      "name TEXT NOT NULL DEFAULT '', patient_before TEXT, patient_after TEXT, territories_before TEXT, territories_after TEXT, "
+      "structures_before TEXT, structures_after TEXT) STRICT;");
   database.execute(("PRAGMA application_id=" + std::to_string(kApplicationId)).c_str());
   setVersion(database);
 }
@@ -226,38 +198,6 @@ void writeModel(const Database& database, const LiverModel& model, StoredMeshes&
   stored = std::move(now);
 }
 
-namespace {
-void appendStep(const Database& database, const std::string& before, const std::string& after, const std::string& name) {
-  Statement(database, "INSERT INTO history(before, after, name) VALUES(?, ?, ?)")
-      .bind(0, std::string_view(before))
-      .bind(1, std::string_view(after))
-      .bind(2, std::string_view(name))
-      .step();
-}
-
-/// The plans stand in the record as well: to a program that does not know its last columns it is an edit that changes nothing.
-void appendPatientStep(const Database& database, const std::string& plans, const PlanStep::Patient& patient,
-                       const std::string& name) {
-  Statement(database, "INSERT INTO history(before, after, name, patient_before, patient_after) VALUES(?, ?, ?, ?, ?)")
-      .bind(0, std::string_view(plans))
-      .bind(1, std::string_view(plans))
-      .bind(2, std::string_view(name))
-      .bind(3, std::string_view(factsText(patient.before)))
-      .bind(4, std::string_view(factsText(patient.after)))
-      .step();
-}
-}  // namespace
-
-void writeHistory(const Database& database, const std::vector<PlanStep>& steps) {
-  for (const PlanStep& step : steps) {
-    if (step.patient) {
-      appendPatientStep(database, plansText(step.after), *step.patient, step.name);
-    } else {
-      appendStep(database, plansText(step.before), plansText(step.after), step.name);
-    }
-  }
-}
-
 bool writePlans(const Database& database, const std::vector<ResectionPlan>& plans, const std::string& name) {
   const std::string after = plansText(plans);
   const std::string before = documentText(database, "plans");
@@ -266,7 +206,7 @@ bool writePlans(const Database& database, const std::vector<ResectionPlan>& plan
   }
   bringUpToDate(database);
   putDocument(database, "plans", after);
-  appendStep(database, before, after, name);
+  appendPlans(database, before, after, name);
   return true;
 }
 
@@ -277,22 +217,79 @@ bool writePatient(const Database& database, const PatientFacts& facts, const std
     return false;
   }
   bringUpToDate(database);
-  if (!recordsPatient(database)) {
-    database.execute("ALTER TABLE history ADD COLUMN patient_before TEXT");
-    database.execute("ALTER TABLE history ADD COLUMN patient_after TEXT");
-  }
   putDocument(database, "patient", factsText(facts));
-  appendPatientStep(database, documentText(database, "plans"), {before, facts}, name);
+  append(database, documentText(database, "plans"), {"patient", factsText(before), factsText(facts)}, name);
   return true;
 }
 
-bool writeTerritories(const Database& database, const TerritoryMarks& marks) {
-  if (readTerritories(database) == marks) {
+bool writeTerritories(const Database& database, const TerritoryMarks& marks, const std::string& name) {
+  const TerritoryMarks before = readTerritories(database);
+  if (before == marks) {
     return false;
   }
   bringUpToDate(database);
   putTerritories(database, marks);
+  append(database, documentText(database, "plans"),
+         {"territories", textOf(caseJson::fromMarks(before)), textOf(caseJson::fromMarks(marks))}, name);
   return true;
+}
+
+namespace {
+/// `surfaces`: those in the file, as far as they are known already.
+bool isStoredSurface(const Database& database, const caseJson::StoredStructure& earlier, const Structure& structure,
+                     const StoredMeshes& surfaces) {
+  if (const auto known = surfaces.find(structure.id); known != surfaces.end()) {
+    return known->second == structure.reconstruction;
+  }
+  if (!earlier.reconstruction || !structure.reconstruction) {
+    return false;
+  }
+  const SurfaceMesh mesh = getPart(database, meshKey(structure.id), [&](std::span<const std::byte> data) {
+    return unpackMesh(data, earlier.vertices, earlier.triangles);
+  });
+  return surfaceHash(mesh) == surfaceHash(structure.reconstruction->mesh);
+}
+
+/// What a person has set since: the states before and after of those structures alone.
+Change<std::vector<StructureState>> editOf(const Database& database, const LiverModel& model, const StoredMeshes& surfaces) {
+  Change<std::vector<StructureState>> edit;
+  const Json json = Json::parse(documentText(database, "model"));
+  for (const Json& item : json.at("structures")) {
+    const caseJson::StoredStructure earlier = caseJson::toStructure(item);
+    const Structure* structure = model.find(earlier.structure.id);
+    if (structure == nullptr) {
+      continue;
+    }
+    StructureState before = stateOf(earlier.structure);
+    StructureState after = stateOf(*structure);
+    if (before.acceptance != after.acceptance) {
+      if (isStoredSurface(database, earlier, *structure, surfaces)) {
+        before.surface = after.surface = surfaceHash(structure->reconstruction->mesh);
+      } else {
+        before.acceptance = after.acceptance;
+      }
+    }
+    if (!(before == after)) {
+      edit.before.push_back(std::move(before));
+      edit.after.push_back(std::move(after));
+    }
+  }
+  return edit;
+}
+}  // namespace
+
+void editModel(const Database& database, const LiverModel& model, StoredMeshes& stored, const ModelEdit& edit) {
+  const Change<std::vector<StructureState>> change =
+      readOrDamaged(database, formMisfit(), [&] { return editOf(database, model, stored); });
+  writeModel(database, model, stored);
+  if (change.after.empty()) {
+    return;
+  }
+  bringUpToDate(database);
+  const OtherEdit record{"structures", textOf(caseJson::fromStates(change.before)), textOf(caseJson::fromStates(change.after))};
+  if (!edit.goesOn || !goOn(database, record)) {
+    append(database, documentText(database, "plans"), record, edit.name);
+  }
 }
 
 Case readCase(const Database& database, StoredMeshes& stored) {
@@ -343,24 +340,8 @@ std::vector<CtFileHash> readCtFiles(const Database& database) {
   return files;
 }
 
-std::vector<PlanStep> readHistory(const Database& database, std::size_t atMost) {
-  std::vector<PlanStep> steps;
-  const char* complete = "SELECT before, after, name, patient_before, patient_after FROM history ORDER BY step DESC LIMIT ?";
-  const char* named = "SELECT before, after, name, '', '' FROM history ORDER BY step DESC LIMIT ?";
-  const char* first = "SELECT before, after, '', '', '' FROM history ORDER BY step DESC LIMIT ?";
-  Statement statement(database, recordsPatient(database) ? complete : versionOf(database) > 1 ? named : first);
-  statement.bind(0, static_cast<std::int64_t>(atMost));
-  return readOrDamaged(database, "its history cannot be read", [&] {
-    while (statement.step()) {
-      steps.push_back({statement.text(2), caseJson::toPlans(Json::parse(statement.text(0))),
-                       caseJson::toPlans(Json::parse(statement.text(1)))});
-      if (const std::string facts = statement.text(4); !facts.empty()) {
-        steps.back().patient = {caseJson::toFacts(Json::parse(statement.text(3))), caseJson::toFacts(Json::parse(facts))};
-      }
-    }
-    std::reverse(steps.begin(), steps.end());
-    return steps;
-  });
+std::vector<EditStep> readHistory(const Database& database, std::size_t atMost) {
+  return readHistory(database, atMost, versionOf(database) > 1);
 }
 
 }  // namespace glisson::caseTables

@@ -4,10 +4,12 @@
 
 #include <nlohmann/json.hpp>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 #include "planning/storage/database.h"
 #include "planning/storage/packing.h"
+#include "reconstruction/errors.h"
 
 namespace glisson::caseTables {
 
@@ -21,6 +23,20 @@ bool hasDocument(const Database& database, const char* key);
 std::string documentText(const Database& database, const char* key);
 
 void putPart(const Database& database, const std::string& key, const Packed& packed);
+
+/// What `read` gives; whatever does not fit becomes a sentence about the file.
+template <typename Read>
+auto readOrDamaged(const Database& database, const std::string& misfit, Read&& read) {
+  try {
+    return read();
+  } catch (const nlohmann::json::exception&) {
+    damaged(database, misfit);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    damaged(database, error.what());
+  }
+}
 
 template <typename Unpack>
 auto getPart(const Database& database, const std::string& key, Unpack&& unpack) {

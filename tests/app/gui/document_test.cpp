@@ -218,20 +218,32 @@ TEST_F(DocumentTest, CleanMeansSaved) {
   EXPECT_EQ(planOnDisk(named()).resections[0].planes[0].origin, planeAt(3).origin);
 }
 
-TEST_F(DocumentTest, ColourAndOpacityAreStepsASlideIsOneAndVisibilityIsNone) {
+TEST_F(DocumentTest, LooksAreNamedStepsAndASlideIsOne) {
   const Rgb before = document->content().model->find("portal_vein")->colour;
+  const auto slide = [this](const char* id) {
+    for (int i = 1; i <= 9; ++i) {
+      document->setOpacity(id, 0.1 * i);
+    }
+  };
   document->setColour("portal_vein", {1, 2, 3});
-  for (int i = 1; i <= 9; ++i) {
-    document->setOpacity("parenchyma", 0.1 * i);
-  }
+  slide("parenchyma");
   document->setVisible("tumour_01", false);
-  EXPECT_EQ(document->undoStack().count(), 2);
-  EXPECT_FALSE(document->content().model->find("tumour_01")->visible);
-  document->undoStack().undo();
+  document->setVisible("tumour_01", false);
+  slide("parenchyma");
+  slide("portal_vein");
+  QUndoStack& stack = document->undoStack();
+  ASSERT_EQ(stack.count(), 5) << "another structure is another slide";
+  stack.undo();
+  stack.undo();
+  EXPECT_EQ(stack.undoText(), "hide tumour");
+  EXPECT_EQ(document->content().model->find("parenchyma")->opacity, 0.9);
+  stack.undo();
+  EXPECT_TRUE(document->content().model->find("tumour_01")->visible);
+  EXPECT_EQ(stack.undoText(), "change opacity");
+  stack.undo();
   EXPECT_EQ(document->content().model->find("parenchyma")->opacity, 0.35);
-  document->undoStack().undo();
+  stack.undo();
   EXPECT_EQ(document->content().model->find("portal_vein")->colour, before);
-  EXPECT_FALSE(document->content().model->find("tumour_01")->visible) << "undo of colours does not touch what is shown";
 }
 
 TEST_F(DocumentTest, AReconstructionThatFinishesLateKeepsTheColourSetMeanwhile) {
@@ -377,6 +389,79 @@ TEST_F(DocumentTest, ACrashLosesNeitherTheLastEditNorItsHistory_H6) {
   EXPECT_EQ(again.plane()->origin, planeAt(0).origin);
   stack.undo();
   EXPECT_FALSE(again.plane().has_value());
+}
+
+TEST_F(DocumentTest, ACrashLosesNoEditOfAnyKindNorItsPlaceInTheHistory_H6) {
+  const Case content = document->content();
+  const TerritoryMarks arm{{{"arm", {Vec3(1, 2, 3)}}}, false};
+  const TerritoryMarks confirmed{{{"left", {Vec3(4, 5, 6)}}, {"right", {Vec3(7, 8, 9)}}}, true};
+  document->setReconstruction("tumour_01", buildStructure(content, *content.model->find("tumour_01")).reconstruction);
+  document->setColour("portal_vein", {1, 2, 3});
+  document->setTerritories(confirmed, "confirm territories");
+  document->placePlane(planeAt(0));
+  document->accept({"tumour_01"}, "Dr. A");
+  for (int i = 1; i <= 120; ++i) {
+    document->setOpacity("parenchyma", 0.005 * i);
+  }
+  document->setVisible("tumour_01", false);
+  document->setTerritories(arm, "pick territory");
+  document->undoStack().undo();
+  document->undoStack().undo();
+  document->undoStack().redo();
+  const QUndoStack& left = document->undoStack();
+  QStringList names;
+  for (int n = 0; n < left.index(); ++n) {
+    names << left.text(n);
+  }
+  document->flush();
+  auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));  // as the next start does, read only here
+  Case read = file->load();
+  Document again(jobs, recovery());
+  again.open(std::move(read), std::move(file));
+  QUndoStack& stack = again.undoStack();
+  QStringList restored;
+  for (int n = 0; n < stack.count(); ++n) {
+    restored << stack.text(n);
+  }
+  EXPECT_EQ(restored, names) << restored.join(", ").toStdString();
+  ASSERT_EQ(stack.count(), 6);
+  const auto now = [&](const char* id) { return *again.content().model->find(id); };
+  EXPECT_FALSE(now("tumour_01").visible);
+  EXPECT_EQ(again.content().territories, confirmed);
+  stack.undo();
+  EXPECT_TRUE(now("tumour_01").visible);
+  stack.undo();
+  EXPECT_EQ(now("parenchyma").opacity, 0.35) << "the slide is one step";
+  stack.undo();
+  EXPECT_FALSE(now("tumour_01").acceptance);
+  stack.redo();
+  EXPECT_EQ(now("tumour_01").acceptance->by, "Dr. A") << "it is the surface that was looked at";
+  stack.undo();
+  stack.undo();
+  stack.undo();
+  EXPECT_EQ(again.content().territories, TerritoryMarks());
+  stack.undo();
+  EXPECT_EQ(now("portal_vein").colour, content.model->find("portal_vein")->colour);
+  stack.redo();
+  EXPECT_EQ(now("portal_vein").colour, (Rgb{1, 2, 3}));
+}
+
+TEST_F(DocumentTest, AnAcceptanceOfAnEarlierSessionIsNotDoneAgainOnAnotherSurface_H5) {
+  const Case content = document->content();
+  document->setReconstruction("tumour_01", buildStructure(content, *content.model->find("tumour_01")).reconstruction);
+  document->accept({"tumour_01"}, "Dr. A");
+  auto other = std::make_shared<Reconstruction>(*buildStructure(content, *content.model->find("tumour_01")).reconstruction);
+  other->mesh.vertices.front() += Vec3(0.1, 0, 0);
+  document->setReconstruction("tumour_01", other);
+  document->flush();
+  auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));
+  Case read = file->load();
+  Document again(jobs, recovery());
+  again.open(std::move(read), std::move(file));
+  ASSERT_EQ(again.undoStack().undoText(), "accept tumour");
+  again.undoStack().undo();
+  again.undoStack().redo();
+  EXPECT_FALSE(again.content().model->find("tumour_01")->acceptance);
 }
 
 }  // namespace

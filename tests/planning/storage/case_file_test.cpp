@@ -416,6 +416,18 @@ TEST_F(CaseFileTest, KnowsWhetherTheCtIsStillTheSame) {
   EXPECT_FALSE(made.ctUnchanged());
 }
 
+TEST_F(CaseFileTest, CtThatMayNotBeReadIsNotKnownToBeTheSame) {
+  fs::create_directory(folder_ / "ct");
+  writeContent(folder_ / "ct" / "a", {'a'});
+  Case source = sampleCase();
+  source.ctSource = (folder_ / "ct").string();
+  const CaseFile made = CaseFile::create(file(), source);
+  fs::remove(folder_ / "ct" / "a");
+  fs::create_symlink("/proc/self/mem", folder_ / "ct" / "a");  // a regular file that nobody can read from its beginning
+  EXPECT_THROW((void)hashCtFiles(folder_ / "ct"), InputError);
+  EXPECT_FALSE(made.ctUnchanged());
+}
+
 TEST_F(CaseFileTest, ADraftOfAKilledProgramIsRemovedAndThatOfALivingOneIsNot) {
   std::array<int, 2> ready{};
   ASSERT_EQ(::pipe(ready.data()), 0);

@@ -146,7 +146,7 @@ TEST(CaseChanges, AreStoredTogetherOrNotAtAll) {
   EXPECT_EQ(stored.patient, kFacts);
   EXPECT_EQ(stored.territories, marks);
   EXPECT_FALSE(stored.model->find("parenchyma")->acceptance);
-  ASSERT_EQ(CaseFile::open(file).history().size(), 2U);
+  ASSERT_EQ(CaseFile::open(file).history().size(), 4U) << "one of each kind";
   EXPECT_EQ(CaseFile::open(file).history()[0].name, "place plane");
 }
 
@@ -177,7 +177,7 @@ TEST(CasePatient, EditsComeBackWithTheirUndoRecordAmongThoseOfThePlans) {
     made.storePlans({planAt(8)}, "move plane");
     made.storePatient(taller);
   }
-  const auto check = [&](const std::vector<PlanStep>& steps) {
+  const auto check = [&](const std::vector<EditStep>& steps) {
     ASSERT_EQ(steps.size(), 4U) << "equal facts are no edit";
     EXPECT_FALSE(steps[0].patient);
     EXPECT_EQ(steps[1].name, "change patient facts");
@@ -209,7 +209,7 @@ TEST(CasePatient, FileFromBeforeItsEditsWereRecordedOpensAndRecordsTheNextOne) {
   EXPECT_EQ(CaseFile::open(file).load().patient, kFacts);
   CaseFile::open(file).storePatient({}, "change patient facts");
   EXPECT_EQ(versionOf(file), kNewest);
-  const std::vector<PlanStep> steps = CaseFile::open(file).history();
+  const std::vector<EditStep> steps = CaseFile::open(file).history();
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_EQ(steps[0].name, "place plane");
   ASSERT_TRUE(steps[1].patient);
