@@ -27,7 +27,7 @@ struct Measures {
   SurfaceMesh mesh;
   MeshDefects defects;
   std::vector<std::string> notes;
-  double volumeMl = std::nan("");  ///< an open mesh has none
+  double volumeMl = std::nan("");  ///< an open mesh has none, nor one whose triangles disagree about outside
   std::uint32_t components = 0;
   CurvatureSummary curvature;
   std::optional<ErrorSummary> paperErrorMm;
@@ -42,10 +42,12 @@ Measures measure(const Flags& flags, const ExecutionContext& context) {
   }
   m.defects = m.mesh.defects();
   m.defects.selfIntersections = countSelfIntersections(m.mesh, context);
-  if (m.defects.openEdges == 0) {
-    m.volumeMl = volumeMl(m.mesh);
-  } else {
+  if (m.defects.openEdges > 0) {
     m.notes.emplace_back("the surface is open: it has no volume");
+  } else if (m.defects.orientationEdges > 0) {
+    m.notes.emplace_back("triangles disagree about which side is outside: the surface has no volume");
+  } else {
+    m.volumeMl = volumeMl(m.mesh);
   }
   componentOfTriangles(m.mesh, m.components);
   if (m.components > 1) {
@@ -97,7 +99,7 @@ void printText(const Flags& flags, const Measures& m) {
             << "triangles: " << m.mesh.triangles.size() << '\n'
             << "vertices: " << m.mesh.vertices.size() << '\n'
             << "area: " << formatNumber(areaMm2(m.mesh), 2) << " mm2\n"
-            << "volume: " << (std::isfinite(m.volumeMl) ? formatNumber(m.volumeMl, 3) + " mL" : "none, the surface is open") << '\n'
+            << "volume: " << (std::isfinite(m.volumeMl) ? formatNumber(m.volumeMl, 3) + " mL" : "none") << '\n'
             << "Euler characteristic: " << eulerCharacteristic(m.mesh) << '\n'
             << "components: " << m.components << '\n'
             << "mean Gaussian curvature: " << formatNumber(m.curvature.trimmedPerMm2, 6) << " /mm2 (5th to 95th percentile), "

@@ -95,6 +95,10 @@ int reconstructAll(const CLI::App& command, const Flags& flags, const ExecutionC
   const auto start = std::chrono::steady_clock::now();
   const Segmentation segmentation = readSegmentation(flags.segmentation, options, context.range(0, 0.2));
   const ChosenMask chosen = chooseMask(segmentation, flags.choice);
+  if (chosen.mask->empty()) {
+    throw ReconstructionError(flags.segmentation + ", " + chosen.name +
+                              ": the mask is empty, so there is no surface to make; choose another structure");
+  }
   const double loadSeconds = secondsSince(start);
 
   std::vector<Made> all(sets.size());

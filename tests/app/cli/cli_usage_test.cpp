@@ -257,5 +257,29 @@ TEST(CliMeasure, OfAnOpenMeshEndsWithFourAndGivesNoVolume) {
   EXPECT_TRUE(Json::parse(finished.out)["volumeMl"].is_null());
 }
 
+TEST(CliMeasure, OfTrianglesThatDisagreeAboutOutsideEndsWithFourAndGivesJsonWithoutAVolume) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "turned.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 4 3\n";
+  const Finished finished = cli({"measure", folder / "turned.obj", "--json"});
+  expectRefusal(finished, 4, "defects");
+  const Json measured = Json::parse(finished.out);
+  EXPECT_TRUE(measured["volumeMl"].is_null());
+  EXPECT_EQ(measured["triangles"], 4);
+  EXPECT_EQ(measured["notes"].size(), 1U);
+  EXPECT_EQ(cli({"measure", folder / "turned.obj"}).exitCode, 4);
+}
+
+TEST(CliReconstruct, OfAnEmptyMaskNamesTheFileAndTheLabel) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "speck.seg.nrrd";
+  std::ofstream(file, std::ios::binary)
+      << "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 4 4 4\n"
+         "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nSegment0_ID:=1\n"
+         "Segment0_Name:=speck\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n\n"
+      << std::string(64, '\0');
+  const Finished finished = cli({"reconstruct", file, "--structure", "speck", "-o", folder / "a.stl"});
+  expectRefusal(finished, 3, "speck.seg.nrrd, speck: the mask is empty");
+}
+
 }  // namespace
 }  // namespace glisson::test
