@@ -2427,14 +2427,6 @@
         <translation>Das Stück bei (%1; %2; %3) mm ist keine eigene Insel, also zählt es auf der Seite, auf der es die Ebenen lassen.</translation>
     </message>
     <message>
-        <source>The margin of %1 is not measured while it is cut and islands are given to a side.</source>
-        <translation>Der Abstand von %1 wird nicht gemessen, solange er angeschnitten ist und Inseln einer Seite zugeschlagen sind.</translation>
-    </message>
-    <message>
-        <source>The plan gives islands to the other side, which the exported meshes do not show: give them back, then export again.</source>
-        <translation>Der Plan schlägt Inseln der anderen Seite zu, was die exportierten Netze nicht zeigen: Geben Sie sie zurück und exportieren Sie dann erneut.</translation>
-    </message>
-    <message>
         <source>%1 is in %2 only.</source>
         <translation>%1 gibt es nur in %2.</translation>
     </message>
@@ -2786,6 +2778,18 @@
         <source>PSR, k-NN normals d=%1 k=%2</source>
         <translation>PSR mit k-NN-Normalen d=%1 k=%2</translation>
     </message>
+    <message>
+        <source>show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>The piece at (%1, %2, %3) mm is given to the other side, but on the surface it hangs together with the rest: give it back, or move the plane, then export again.</source>
+        <translation>Das Stück bei (%1, %2, %3) mm ist der anderen Seite gegeben, hängt auf der Oberfläche aber mit dem Übrigen zusammen: Geben Sie es zurück oder verschieben Sie die Ebene und exportieren Sie erneut.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -2828,249 +2832,6 @@
     <message>
         <source>Not part of the liver model</source>
         <translation>Nicht Teil des Lebermodells</translation>
-    </message>
-</context>
-<context>
-    <name>glisson</name>
-    <message>
-        <source>CT of %1</source>
-        <translation>CT vom %1</translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>share</source>
-        <translation>Anteil</translation>
-    </message>
-    <message>
-        <source>Liver, tumours in it included</source>
-        <translation>Leber, mit den Tumoren darin</translation>
-    </message>
-    <message>
-        <source>Functional liver</source>
-        <translation>Funktionelle Leber</translation>
-    </message>
-    <message>
-        <source>Resected</source>
-        <translation>Reseziert</translation>
-    </message>
-    <message>
-        <source>Remnant</source>
-        <translation>Rest</translation>
-    </message>
-    <message>
-        <source>Functional remnant (FLR), share of the functional liver</source>
-        <translation>Funktioneller Rest (FLR), Anteil der funktionellen Leber</translation>
-    </message>
-    <message>
-        <source>Tumour</source>
-        <translation>Tumor</translation>
-    </message>
-    <message>
-        <source>volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>longest diameter</source>
-        <translation>größter Durchmesser</translation>
-    </message>
-    <message>
-        <source>to the capsule</source>
-        <translation>zur Kapsel</translation>
-    </message>
-    <message>
-        <source>nearest vessel</source>
-        <translation>nächstes Gefäß</translation>
-    </message>
-    <message>
-        <source>state</source>
-        <translation>Zustand</translation>
-    </message>
-    <message>
-        <source>margin</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>at least</source>
-        <translation>mindestens</translation>
-    </message>
-    <message>
-        <source>%1 from the cut</source>
-        <translation>%1 vom Schnitt</translation>
-    </message>
-    <message>
-        <source>Tumours (safety margin %1)</source>
-        <translation>Tumoren (Sicherheitsabstand %1)</translation>
-    </message>
-    <message>
-        <source>Vessel crossed</source>
-        <translation>Gekreuztes Gefäß</translation>
-    </message>
-    <message>
-        <source>diameter</source>
-        <translation>Durchmesser</translation>
-    </message>
-    <message>
-        <source>Vessels crossed: %1</source>
-        <translation>Gekreuzte Gefäße: %1</translation>
-    </message>
-    <message>
-        <source>FLR of the functional liver</source>
-        <translation>FLR der funktionellen Leber</translation>
-    </message>
-    <message>
-        <source>FLR of the standardised volume (Urata)</source>
-        <translation>FLR des standardisierten Volumens (Urata)</translation>
-    </message>
-    <message>
-        <source>FLR of the standardised volume (Vauthey)</source>
-        <translation>FLR des standardisierten Volumens (Vauthey)</translation>
-    </message>
-    <message>
-        <source>FLR per body surface, mL/m²</source>
-        <translation>FLR je Körperoberfläche, mL/m²</translation>
-    </message>
-    <message>
-        <source>FLR of the body weight</source>
-        <translation>FLR des Körpergewichts</translation>
-    </message>
-    <message>
-        <source>Ratio</source>
-        <translation>Verhältnis</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>published</source>
-        <translation>veröffentlicht</translation>
-    </message>
-    <message>
-        <source>FLR card: published numbers for information, not advice</source>
-        <translation>FLR-Karte: veröffentlichte Zahlen zur Information, keine Empfehlung</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>a point of it, mm LPS</source>
-        <translation>ein Punkt darauf, mm LPS</translation>
-    </message>
-    <message>
-        <source>normal, to the resected side</source>
-        <translation>Normale, zur resezierten Seite</translation>
-    </message>
-    <message>
-        <source>Planes</source>
-        <translation>Ebenen</translation>
-    </message>
-    <message>
-        <source>Measured distances</source>
-        <translation>Gemessene Abstände</translation>
-    </message>
-    <message>
-        <source>Structure</source>
-        <translation>Struktur</translation>
-    </message>
-    <message>
-        <source>made by</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>triangles</source>
-        <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>voxels, mL</source>
-        <translation>Voxel, mL</translation>
-    </message>
-    <message>
-        <source>surface, mL</source>
-        <translation>Oberfläche, mL</translation>
-    </message>
-    <message>
-        <source>no surface yet</source>
-        <translation>noch keine Oberfläche</translation>
-    </message>
-    <message>
-        <source>Structures and parameters</source>
-        <translation>Strukturen und Parameter</translation>
-    </message>
-    <message>
-        <source>SHA-256 of the surfaces&apos; vertices and triangles</source>
-        <translation>SHA-256 der Ecken und Dreiecke der Oberflächen</translation>
-    </message>
-    <message>
-        <source>Resection plan: %1</source>
-        <translation>Resektionsplan: %1</translation>
-    </message>
-    <message>
-        <source>from anterior</source>
-        <translation>von vorn</translation>
-    </message>
-    <message>
-        <source>from superior</source>
-        <translation>von oben</translation>
-    </message>
-    <message>
-        <source>from the left</source>
-        <translation>von links</translation>
-    </message>
-    <message>
-        <source>Pre-operative, supine, rigid: pneumoperitoneum and mobilisation move the liver by centimetres; registration error not included. Not for clinical use.</source>
-        <translation>Präoperativ, in Rückenlage, starr: Pneumoperitoneum und Mobilisation verschieben die Leber um Zentimeter; Registrierfehler nicht enthalten. Nicht für den klinischen Gebrauch.</translation>
-    </message>
-    <message>
-        <source>page %1 of %2</source>
-        <translation>Seite %1 von %2</translation>
-    </message>
-    <message>
-        <source>not for clinical use</source>
-        <translation>nicht für den klinischen Gebrauch</translation>
-    </message>
-    <message>
-        <source>Territories and the remnant&apos;s blood: estimates</source>
-        <translation>Territorien und die Durchblutung des Rests: Schätzungen</translation>
-    </message>
-    <message>
-        <source>Territory</source>
-        <translation>Territorium</translation>
-    </message>
-    <message>
-        <source>resected</source>
-        <translation>Resektat</translation>
-    </message>
-    <message>
-        <source>remnant</source>
-        <translation>Rest</translation>
-    </message>
-    <message>
-        <source>Left and right are proposed from the main bifurcation; nobody has confirmed them.</source>
-        <translation>Links und rechts sind von der Hauptgabelung aus vorgeschlagen; niemand hat sie bestätigt.</translation>
-    </message>
-    <message>
-        <source>accepted by</source>
-        <translation>freigegeben von</translation>
-    </message>
-    <message>
-        <source>Not accepted by anybody: %1.</source>
-        <translation>Von niemandem freigegeben: %1.</translation>
-    </message>
-    <message>
-        <source>id %1</source>
-        <translation>ID %1</translation>
-    </message>
-    <message>
-        <source>born %1</source>
-        <translation>geb. %1</translation>
-    </message>
-    <message>
-        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as they are at its border.</source>
-        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, v = Normale x u entlang %4. Kontrollpunkte in mm über der Ebene, von -u und -v an, u läuft am schnellsten: %5. Jenseits des Quadrats gehen die Höhen weiter wie an seinem Rand.</translation>
     </message>
 </context>
 <context>
@@ -3363,6 +3124,14 @@
         <source>pick territory</source>
         <translation>Territorium wählen</translation>
     </message>
+    <message>
+        <source>change territories</source>
+        <translation>Territorien ändern</translation>
+    </message>
+    <message>
+        <source>edit structures</source>
+        <translation>Strukturen bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ErrorLegend</name>
@@ -3457,26 +3226,6 @@
 <context>
     <name>glisson::FlrCardBox</name>
     <message>
-        <source>of the functional liver</source>
-        <translation>der funktionellen Leber</translation>
-    </message>
-    <message>
-        <source>of SLV (Urata)</source>
-        <translation>des SLV (Urata)</translation>
-    </message>
-    <message>
-        <source>of SLV (Vauthey)</source>
-        <translation>des SLV (Vauthey)</translation>
-    </message>
-    <message>
-        <source>per body surface</source>
-        <translation>je Körperoberfläche</translation>
-    </message>
-    <message>
-        <source>of the body weight</source>
-        <translation>des Körpergewichts</translation>
-    </message>
-    <message>
         <source>FLR card</source>
         <translation>FLR-Karte</translation>
     </message>
@@ -3549,16 +3298,32 @@
         <translation>Vauthey</translation>
     </message>
     <message>
-        <source>FLR %1</source>
-        <translation>FLR %1</translation>
-    </message>
-    <message>
         <source>Margin %1: %2 (%3)</source>
         <translation>Abstand %1: %2 (%3)</translation>
     </message>
     <message>
         <source>Published numbers for information, not advice.</source>
         <translation>Veröffentlichte Zahlen zur Information, keine Empfehlung.</translation>
+    </message>
+    <message>
+        <source>FLR of the functional liver</source>
+        <translation>FLR der funktionellen Leber</translation>
+    </message>
+    <message>
+        <source>FLR of SLV (Urata)</source>
+        <translation>FLR des SLV (Urata)</translation>
+    </message>
+    <message>
+        <source>FLR of SLV (Vauthey)</source>
+        <translation>FLR des SLV (Vauthey)</translation>
+    </message>
+    <message>
+        <source>FLR per body surface</source>
+        <translation>FLR je Körperoberfläche</translation>
+    </message>
+    <message>
+        <source>FLR of the body weight</source>
+        <translation>FLR des Körpergewichts</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +4730,281 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     </message>
 </context>
 <context>
+    <name>glisson::ReportText</name>
+    <message>
+        <source>id %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>geb. %1</translation>
+    </message>
+    <message>
+        <source>CT of %1</source>
+        <translation>CT vom %1</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Liver, tumours in it included</source>
+        <translation>Leber, mit den Tumoren darin</translation>
+    </message>
+    <message>
+        <source>Functional liver</source>
+        <translation>Funktionelle Leber</translation>
+    </message>
+    <message>
+        <source>Resected</source>
+        <translation>Reseziert</translation>
+    </message>
+    <message>
+        <source>Remnant</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Functional remnant (FLR), share of the functional liver</source>
+        <translation>Funktioneller Rest (FLR), Anteil der funktionellen Leber</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>longest diameter</source>
+        <translation>größter Durchmesser</translation>
+    </message>
+    <message>
+        <source>to the capsule</source>
+        <translation>zur Kapsel</translation>
+    </message>
+    <message>
+        <source>nearest vessel</source>
+        <translation>nächstes Gefäß</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>mindestens</translation>
+    </message>
+    <message>
+        <source>%1 from the cut</source>
+        <translation>%1 vom Schnitt</translation>
+    </message>
+    <message>
+        <source>Tumours (safety margin %1)</source>
+        <translation>Tumoren (Sicherheitsabstand %1)</translation>
+    </message>
+    <message>
+        <source>Separated piece</source>
+        <translation>Abgetrenntes Stück</translation>
+    </message>
+    <message>
+        <source>counts with</source>
+        <translation>zählt zu</translation>
+    </message>
+    <message>
+        <source>functional</source>
+        <translation>funktionell</translation>
+    </message>
+    <message>
+        <source>the resected side</source>
+        <translation>der resezierten Seite</translation>
+    </message>
+    <message>
+        <source>the remnant</source>
+        <translation>dem Rest</translation>
+    </message>
+    <message>
+        <source>of the resected side</source>
+        <translation>des Resektats</translation>
+    </message>
+    <message>
+        <source>of the remnant</source>
+        <translation>des Rests</translation>
+    </message>
+    <message>
+        <source>Separated pieces</source>
+        <translation>Abgetrennte Stücke</translation>
+    </message>
+    <message>
+        <source>Vessel crossed</source>
+        <translation>Gekreuztes Gefäß</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Vessels crossed: %1</source>
+        <translation>Gekreuzte Gefäße: %1</translation>
+    </message>
+    <message>
+        <source>liver: %1</source>
+        <translation>Leber: %1</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Body surface (Mosteller)</source>
+        <translation>Körperoberfläche (Mosteller)</translation>
+    </message>
+    <message>
+        <source>Standardised liver volume, SLV (Urata)</source>
+        <translation>Standardisiertes Lebervolumen, SLV (Urata)</translation>
+    </message>
+    <message>
+        <source>Standardised liver volume, SLV (Vauthey)</source>
+        <translation>Standardisiertes Lebervolumen, SLV (Vauthey)</translation>
+    </message>
+    <message>
+        <source>FLR card: published numbers for information, not advice</source>
+        <translation>FLR-Karte: veröffentlichte Zahlen zur Information, keine Empfehlung</translation>
+    </message>
+    <message>
+        <source>lies in</source>
+        <translation>liegt in</translation>
+    </message>
+    <message>
+        <source>Territories and the remnant&apos;s blood: estimates</source>
+        <translation>Territorien und die Durchblutung des Rests: Schätzungen</translation>
+    </message>
+    <message>
+        <source>Territory</source>
+        <translation>Territorium</translation>
+    </message>
+    <message>
+        <source>resected</source>
+        <translation>Resektat</translation>
+    </message>
+    <message>
+        <source>remnant</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>Left and right are proposed from the main bifurcation; nobody has confirmed them.</source>
+        <translation>Links und rechts sind von der Hauptgabelung aus vorgeschlagen; niemand hat sie bestätigt.</translation>
+    </message>
+    <message>
+        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as they are at its border.</source>
+        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, v = Normale x u entlang %4. Kontrollpunkte in mm über der Ebene, von -u und -v an, u läuft am schnellsten: %5. Jenseits des Quadrats gehen die Höhen weiter wie an seinem Rand.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>a point of it, mm LPS</source>
+        <translation>ein Punkt darauf, mm LPS</translation>
+    </message>
+    <message>
+        <source>normal, to the resected side</source>
+        <translation>Normale, zur resezierten Seite</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Measured distances</source>
+        <translation>Gemessene Abstände</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>made by</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>voxels, mL</source>
+        <translation>Voxel, mL</translation>
+    </message>
+    <message>
+        <source>surface, mL</source>
+        <translation>Oberfläche, mL</translation>
+    </message>
+    <message>
+        <source>accepted by</source>
+        <translation>freigegeben von</translation>
+    </message>
+    <message>
+        <source>no surface yet</source>
+        <translation>noch keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>Structures and parameters</source>
+        <translation>Strukturen und Parameter</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the surfaces&apos; vertices and triangles</source>
+        <translation>SHA-256 der Ecken und Dreiecke der Oberflächen</translation>
+    </message>
+    <message>
+        <source>Not accepted by anybody: %1.</source>
+        <translation>Von niemandem freigegeben: %1.</translation>
+    </message>
+    <message>
+        <source>Resection plan: %1</source>
+        <translation>Resektionsplan: %1</translation>
+    </message>
+    <message>
+        <source>from anterior</source>
+        <translation>von vorn</translation>
+    </message>
+    <message>
+        <source>from superior</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>from the left</source>
+        <translation>von links</translation>
+    </message>
+    <message>
+        <source>Pre-operative, supine, rigid: pneumoperitoneum and mobilisation move the liver by centimetres; registration error not included. Not for clinical use.</source>
+        <translation>Präoperativ, in Rückenlage, starr: Pneumoperitoneum und Mobilisation verschieben die Leber um Zentimeter; Registrierfehler nicht enthalten. Nicht für den klinischen Gebrauch.</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>not for clinical use</source>
+        <translation>nicht für den klinischen Gebrauch</translation>
+    </message>
+</context>
+<context>
     <name>glisson::Resectogram</name>
     <message>
         <source>Resection surface, laid flat</source>
@@ -5224,6 +5264,10 @@ L %2</translation>
         <source>unassigned</source>
         <translation>nicht zugeordnet</translation>
     </message>
+    <message>
+        <source>none of them</source>
+        <translation>keinem davon</translation>
+    </message>
 </context>
 <context>
     <name>glisson::TerritoryEstimator</name>
@@ -5269,6 +5313,57 @@ L %2</translation>
     <message>
         <source>CT is %1 days old</source>
         <translation>CT ist %1 Tage alt</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::TumourBox</name>
+    <message>
+        <source>Tumours: size and place</source>
+        <translation>Tumoren: Größe und Lage</translation>
+    </message>
+    <message>
+        <source>Tumour</source>
+        <translation>Tumor</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>The longest diameter, of the voxels&apos; boxes</source>
+        <translation>Der längste Durchmesser, aus den Quadern der Voxel</translation>
+    </message>
+    <message>
+        <source>Sizes of tumours</source>
+        <translation>Größen der Tumoren</translation>
+    </message>
+    <message>
+        <source>Territory: not known; estimate territories first.</source>
+        <translation>Territorium: nicht bekannt; erst die Territorien schätzen.</translation>
+    </message>
+    <message>
+        <source>Lies in: %1</source>
+        <translation>Liegt in: %1</translation>
+    </message>
+    <message>
+        <source>(out of date)</source>
+        <translation>(veraltet)</translation>
+    </message>
+    <message>
+        <source>To the capsule: %1</source>
+        <translation>Zur Kapsel: %1</translation>
+    </message>
+    <message>
+        <source>Nearest vessel: %1, %2</source>
+        <translation>Nächstes Gefäß: %1, %2</translation>
+    </message>
+    <message>
+        <source>Nearest vessel: the case has no vessels.</source>
+        <translation>Nächstes Gefäß: der Fall hat keine Gefäße.</translation>
     </message>
 </context>
 <context>

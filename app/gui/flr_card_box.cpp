@@ -6,9 +6,9 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "app/gui/flr_card_text.h"
 #include "app/gui/number_text.h"
 #include "app/gui/sentences.h"
-#include "planning/report/flr_card.h"
 
 namespace glisson {
 
@@ -33,29 +33,6 @@ QComboBox* makeChoice(const QString& name, int count, QWidget* parent) {
     choice->addItem(QString());
   }
   return choice;
-}
-
-QString ratioName(FlrRatioKind kind) {
-  switch (kind) {
-    case FlrRatioKind::OfFunctionalPercent:
-      return FlrCardBox::tr("of the functional liver");
-    case FlrRatioKind::OfSlvUrataPercent:
-      return FlrCardBox::tr("of SLV (Urata)");
-    case FlrRatioKind::OfSlvVautheyPercent:
-      return FlrCardBox::tr("of SLV (Vauthey)");
-    case FlrRatioKind::PerBsaMlPerM2:
-      return FlrCardBox::tr("per body surface");
-    case FlrRatioKind::PerBodyWeightPercent:
-      break;
-  }
-  return FlrCardBox::tr("of the body weight");
-}
-
-QString ratioText(FlrRatioKind kind, double value, int digits) {
-  if (kind == FlrRatioKind::PerBsaMlPerM2) {
-    return numberText(value, 0) + QStringLiteral("\u00A0mL/m\u00B2");
-  }
-  return percentText(value, kind == FlrRatioKind::PerBodyWeightPercent ? std::max(digits, 1) : digits);
 }
 
 QString row(const QString& name, const QString& value, const QString& beside) {
@@ -117,8 +94,10 @@ void FlrCardBox::retranslateUi() {
     field->setLocale(QLocale());
     field->setSpecialValueText(tr("not given"));
   }
-  const QStringList conditions{tr("not given"), tr("normal"), tr("over 3 months of chemotherapy"), tr("injured")};
-  const QStringList types{tr("not given"), tr("colorectal metastases"), tr("hepatocellular carcinoma")};
+  const QStringList conditions{tr("not given"), conditionText(LiverCondition::Normal),
+                               conditionText(LiverCondition::LongChemotherapy), conditionText(LiverCondition::Injured)};
+  const QStringList types{tr("not given"), tumourTypeText(TumourType::ColorectalMetastases),
+                          tumourTypeText(TumourType::HepatocellularCarcinoma)};
   for (int n = 0; n < condition_->count(); ++n) {
     condition_->setItemText(n, conditions[n]);
   }
@@ -171,22 +150,11 @@ void FlrCardBox::refreshCard() {
     text += row(tr("SLV"), mlText(*card.slvVautheyMl), tr("Vauthey"));
   }
   for (const FlrRatio& ratio : card.ratios) {
-    QStringList published;
-    for (const FlrThreshold& threshold : ratio.thresholds) {
-      published << QString::fromUtf8(threshold.citation.data(), static_cast<qsizetype>(threshold.citation.size())) +
-                       QStringLiteral(": ") + ratioText(ratio.kind, threshold.value, 0);
-    }
-    text +=
-        row(tr("FLR %1").arg(ratioName(ratio.kind)), ratioText(ratio.kind, ratio.value, 1), published.join(QStringLiteral("; ")));
+    text += row(flrRatioName(ratio.kind), flrRatioText(ratio.kind, ratio.value, 1), flrThresholdsText(ratio));
   }
   text += QStringLiteral("</table>");
-  for (const MarginBand& band : card.marginBands) {
-    text +=
-        QStringLiteral("<p style=\"margin:2px\">") +
-        tr("Margin %1: %2 (%3)")
-            .arg(mmText(band.mm, 0), shownSentence(std::string(band.meaning)), QString::fromStdString(std::string(band.citation)))
-            .toHtmlEscaped() +
-        QStringLiteral("</p>");
+  for (const QString& band : marginBandTexts(card)) {
+    text += QStringLiteral("<p style=\"margin:2px\">") + band.toHtmlEscaped() + QStringLiteral("</p>");
   }
   for (const std::string& reason : card.reasons) {
     text += QStringLiteral("<p style=\"margin:2px\"><i>") + shownSentence(reason).toHtmlEscaped() + QStringLiteral("</i></p>");

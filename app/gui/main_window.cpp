@@ -81,7 +81,7 @@ void MainWindow::build() {
   connect(casePanel, &CasePanel::openRequested, this, &MainWindow::openFiles);
   right_->addWidget(casePanel);
   right_->addWidget(new ModelPanel(*document_, *builder_, right_));
-  plan_ = new PlanPanel(*document_, *territories_, right_);
+  plan_ = new PlanPanel(jobs_, *document_, *territories_, right_);
   right_->addWidget(plan_);
   export_ = new ExportPanel(*document_, jobs_, right_);
   right_->addWidget(export_);

@@ -18,6 +18,7 @@
 #include "app/gui/plane_editor.h"
 #include "app/gui/sentences.h"
 #include "app/gui/territory_box.h"
+#include "app/gui/tumour_box.h"
 #include "planning/report/decisive_tumour.h"
 
 namespace glisson {
@@ -74,7 +75,7 @@ QString stateText(TumourState state) {
   return PlanPanel::tr("left");
 }
 
-PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidget* parent)
+PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& territories, QWidget* parent)
     : Translated<QWidget>(parent),
       document_(document),
       bar_(new PlanBar(document, this)),
@@ -92,6 +93,7 @@ PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidge
       islands_(new IslandBox(document, this)),
       measures_(new MeasureBox(document, this)),
       territories_(new TerritoryBox(document, territories, this)),
+      sizes_(new TumourBox(jobs, document, territories, this)),
       card_(new FlrCardBox(document, this)) {
   setObjectName("planPanel");
   warning_->setObjectName("planWarning");
@@ -104,7 +106,7 @@ PlanPanel::PlanPanel(Document& document, TerritoryEstimator& territories, QWidge
   column->setSpacing(3);
   for (QWidget* part :
        std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_, tumoursLabel_,
-                                       tumours_, vesselsLabel_, vessels_, islands_, card_, territories_, measures_}) {
+                                       tumours_, vesselsLabel_, vessels_, islands_, card_, territories_, sizes_, measures_}) {
     column->addWidget(part);
   }
   column->setStretchFactor(tumours_, 2);

@@ -20,11 +20,12 @@ class PlanBar;
 class PlaneEditor;
 class TerritoryBox;
 class TerritoryEstimator;
+class TumourBox;
 
 class PlanPanel : public Translated<QWidget> {
   Q_OBJECT
  public:
-  PlanPanel(Document& document, TerritoryEstimator& territories, QWidget* parent = nullptr);
+  PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& territories, QWidget* parent = nullptr);
   [[nodiscard]] PlaneEditor& planeEditor() { return *editor_; }
   [[nodiscard]] PlanBar& planBar() { return *bar_; }
   [[nodiscard]] MeasureBox& measureBox() { return *measures_; }
@@ -59,6 +60,7 @@ class PlanPanel : public Translated<QWidget> {
   IslandBox* islands_;
   MeasureBox* measures_;
   TerritoryBox* territories_;
+  TumourBox* sizes_;
   FlrCardBox* card_;
 };
 

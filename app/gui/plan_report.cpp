@@ -10,14 +10,14 @@
 #include <QTextDocument>
 
 #include "app/gui/acceptance_box.h"
+#include "app/gui/flr_card_text.h"
 #include "app/gui/model_builder.h"
 #include "app/gui/number_text.h"
 #include "app/gui/plan_panel.h"
 #include "app/gui/sentences.h"
 #include "app/gui/territory_box.h"
+#include "planning/case/structure_state.h"
 #include "planning/exchange/version.h"
-#include "planning/report/flr_card.h"
-#include "planning/storage/sha256.h"
 #include "planning/volumetry/tumour_measures.h"
 #include "reconstruction/errors.h"
 #include "viewer/model_view.h"
@@ -30,8 +30,9 @@ constexpr int kDotsPerInch = 150;
 constexpr double kMarginMm = 15;
 constexpr int kFooterMm = 12;
 
-/// lupdate files what stands in tr() outside of classes under the namespace.
-QString tr(const char* text) { return QCoreApplication::translate("glisson", text); }
+class ReportText {
+  Q_DECLARE_TR_FUNCTIONS(glisson::ReportText)
+};
 
 QString cell(const QString& text, bool number = false) {
   return QStringLiteral("<td%1>%2</td>").arg(number ? QStringLiteral(" align=\"right\"") : QString(), text.toHtmlEscaped());
@@ -70,9 +71,10 @@ QString patientLine(const PlanReport& report) {
     name.replace('^', QStringLiteral(", "));
     const QString id = QString::fromStdString(patient.patientId);
     const QString born = dateText(patient.birthDate);
-    parts << name << (id.isEmpty() ? id : tr("id %1").arg(id)) << (born.isEmpty() ? born : tr("born %1").arg(born));
+    parts << name << (id.isEmpty() ? id : ReportText::tr("id %1").arg(id))
+          << (born.isEmpty() ? born : ReportText::tr("born %1").arg(born));
   }
-  parts << tr("CT of %1").arg(dateText(patient.studyDate)) << QString::fromStdString(patient.seriesDescription);
+  parts << ReportText::tr("CT of %1").arg(dateText(patient.studyDate)) << QString::fromStdString(patient.seriesDescription);
   parts.removeAll(QString());
   return parts.join(QStringLiteral(" \u00B7 "));
 }
@@ -84,13 +86,13 @@ QString numbersOf(const PlanReport& report) {
   }
   const QString uncertainty = QStringLiteral(" \u00B1\u00A0") + mlText(a.volumeUncertaintyMl, 1);
   const auto percent = [](double part, double whole) { return whole > 0 ? percentText(100 * part / whole, 1) : QString(); };
-  QString rows = header({tr("Volume"), tr("value"), tr("share")});
-  rows += row({tr("Liver, tumours in it included"), mlText(a.totalMl, 1), {}});
-  rows += row({tr("Functional liver"), mlText(a.functionalMl, 1), percent(a.functionalMl, a.totalMl)});
-  rows += row({tr("Resected"), mlText(a.resectedMl, 1) + uncertainty, percent(a.resectedMl, a.totalMl)});
-  rows += row({tr("Remnant"), mlText(a.remnantMl, 1) + uncertainty, percent(a.remnantMl, a.totalMl)});
-  rows += row({tr("Functional remnant (FLR), share of the functional liver"), mlText(a.functionalRemnantMl, 1) + uncertainty,
-               percentText(a.flrPercent, 1)});
+  QString rows = header({ReportText::tr("Volume"), ReportText::tr("value"), ReportText::tr("share")});
+  rows += row({ReportText::tr("Liver, tumours in it included"), mlText(a.totalMl, 1), {}});
+  rows += row({ReportText::tr("Functional liver"), mlText(a.functionalMl, 1), percent(a.functionalMl, a.totalMl)});
+  rows += row({ReportText::tr("Resected"), mlText(a.resectedMl, 1) + uncertainty, percent(a.resectedMl, a.totalMl)});
+  rows += row({ReportText::tr("Remnant"), mlText(a.remnantMl, 1) + uncertainty, percent(a.remnantMl, a.totalMl)});
+  rows += row({ReportText::tr("Functional remnant (FLR), share of the functional liver"),
+               mlText(a.functionalRemnantMl, 1) + uncertainty, percentText(a.flrPercent, 1)});
   QString html = table(rows);
   if (!a.warning.empty()) {
     html += paragraph(shownSentence(a.warning));
@@ -100,8 +102,9 @@ QString numbersOf(const PlanReport& report) {
 
 QString tumoursOf(const PlanReport& report) {
   const std::vector<TumourMeasures> measured = tumourMeasures(report.content);
-  QString rows = header({tr("Tumour"), tr("volume"), tr("longest diameter"), tr("to the capsule"), tr("nearest vessel"),
-                         tr("state"), tr("margin"), tr("at least")});
+  QString rows = header({ReportText::tr("Tumour"), ReportText::tr("volume"), ReportText::tr("longest diameter"),
+                         ReportText::tr("to the capsule"), ReportText::tr("nearest vessel"), ReportText::tr("state"),
+                         ReportText::tr("margin"), ReportText::tr("at least")});
   for (const TumourAssessment& tumour : report.assessment.tumours) {
     QString volume;
     QString diameter;
@@ -116,72 +119,107 @@ QString tumoursOf(const PlanReport& report) {
       }
     }
     const QString margin = tumour.marginMm     ? mmText(*tumour.marginMm)
-                           : tumour.distanceMm ? tr("%1 from the cut").arg(mmText(*tumour.distanceMm))
+                           : tumour.distanceMm ? ReportText::tr("%1 from the cut").arg(mmText(*tumour.distanceMm))
                                                : QString();
     rows += row({shownName(tumour.name), volume, diameter, capsule, vessel, stateText(tumour.state), margin,
                  tumour.marginAtLeastMm ? mmText(*tumour.marginAtLeastMm) : QString()});
   }
-  return heading(tr("Tumours (safety margin %1)").arg(mmText(report.plan.safetyMarginMm))) + table(rows);
+  return heading(ReportText::tr("Tumours (safety margin %1)").arg(mmText(report.plan.safetyMarginMm))) + table(rows);
+}
+
+QString islandsOf(const PlanReport& report) {
+  if (report.assessment.islands.empty()) {
+    return {};
+  }
+  QString rows = header({ReportText::tr("Separated piece"), ReportText::tr("counts with"), ReportText::tr("volume"),
+                         ReportText::tr("functional"), QStringLiteral("L"), QStringLiteral("P"), QStringLiteral("S")});
+  const auto side = [](bool resected) { return resected ? ReportText::tr("the resected side") : ReportText::tr("the remnant"); };
+  for (const IslandAssessment& island : report.assessment.islands) {
+    const bool resected = island.side == PlanSide::Resected;
+    rows += row({resected ? ReportText::tr("of the resected side") : ReportText::tr("of the remnant"),
+                 side(resected != island.assigned), mlText(island.volumeMl, 1), mlText(island.functionalMl, 1),
+                 numberText(island.point.x(), 1), numberText(island.point.y(), 1), numberText(island.point.z(), 1)});
+  }
+  return heading(ReportText::tr("Separated pieces")) + table(rows);
 }
 
 QString vesselsOf(const PlanReport& report) {
-  QString rows = header({tr("Vessel crossed"), tr("diameter"), QStringLiteral("L"), QStringLiteral("P"), QStringLiteral("S")});
+  QString rows = header({ReportText::tr("Vessel crossed"), ReportText::tr("diameter"), QStringLiteral("L"), QStringLiteral("P"),
+                         QStringLiteral("S")});
   for (const VesselCrossing& vessel : report.assessment.vesselsCrossed) {
     rows += row({shownName(vessel.name), mmText(vessel.diameterMm), numberText(vessel.positionMm.x(), 1),
                  numberText(vessel.positionMm.y(), 1), numberText(vessel.positionMm.z(), 1)});
   }
-  return heading(tr("Vessels crossed: %1").arg(report.assessment.vesselsCrossed.size())) + table(rows);
+  return heading(ReportText::tr("Vessels crossed: %1").arg(report.assessment.vesselsCrossed.size())) + table(rows);
+}
+
+/// What the user said about the patient, as far as anything was said.
+QString factsOf(const PatientFacts& facts) {
+  QStringList parts;
+  if (facts.heightCm) {
+    parts << numberText(*facts.heightCm, 0) + QStringLiteral("\u00A0cm");
+  }
+  if (facts.weightKg) {
+    parts << numberText(*facts.weightKg, 1) + QStringLiteral("\u00A0kg");
+  }
+  if (facts.condition) {
+    parts << ReportText::tr("liver: %1").arg(conditionText(*facts.condition));
+  }
+  if (facts.tumourType) {
+    parts << tumourTypeText(*facts.tumourType);
+  }
+  return parts.isEmpty() ? QString() : paragraph(parts.join(QStringLiteral(" \u00B7 ")));
 }
 
 QString cardOf(const PlanReport& report) {
   const FlrCard card = flrCard(report.content.patient, report.assessment);
-  const auto ratioName = [](FlrRatioKind kind) {
-    switch (kind) {
-      case FlrRatioKind::OfFunctionalPercent:
-        return tr("FLR of the functional liver");
-      case FlrRatioKind::OfSlvUrataPercent:
-        return tr("FLR of the standardised volume (Urata)");
-      case FlrRatioKind::OfSlvVautheyPercent:
-        return tr("FLR of the standardised volume (Vauthey)");
-      case FlrRatioKind::PerBsaMlPerM2:
-        return tr("FLR per body surface, mL/m\u00B2");
-      case FlrRatioKind::PerBodyWeightPercent:
-        break;
-    }
-    return tr("FLR of the body weight");
-  };
-  const auto valueText = [](FlrRatioKind kind, double value, int decimals) {
-    return kind == FlrRatioKind::PerBsaMlPerM2 ? numberText(value, 0) : percentText(value, decimals);
-  };
-  QString rows = header({tr("Ratio"), tr("value"), tr("published")});
-  for (const FlrRatio& ratio : card.ratios) {
-    QStringList published;
-    for (const FlrThreshold& threshold : ratio.thresholds) {
-      published << QString::fromStdString(std::string(threshold.citation)) + QStringLiteral(": ") +
-                       valueText(ratio.kind, threshold.value, 1);
-    }
-    rows += row({ratioName(ratio.kind), valueText(ratio.kind, ratio.value, 2), published.join(QStringLiteral("; "))});
+  QString rows = header({ReportText::tr("Ratio"), ReportText::tr("value"), ReportText::tr("published")});
+  if (card.bsaMostellerM2) {
+    const QString surface = numberText(*card.bsaMostellerM2, 2) + QStringLiteral("\u00A0m\u00B2");
+    rows += row({ReportText::tr("Body surface (Mosteller)"), surface, {}});
+    rows += row({ReportText::tr("Standardised liver volume, SLV (Urata)"), mlText(*card.slvUrataMl), {}});
+    rows += row({ReportText::tr("Standardised liver volume, SLV (Vauthey)"), mlText(*card.slvVautheyMl), {}});
   }
-  QString html = heading(tr("FLR card: published numbers for information, not advice")) + table(rows);
+  for (const FlrRatio& ratio : card.ratios) {
+    rows += row({flrRatioName(ratio.kind), flrRatioText(ratio.kind, ratio.value, 2), flrThresholdsText(ratio)});
+  }
+  QString html =
+      heading(ReportText::tr("FLR card: published numbers for information, not advice")) + factsOf(card.facts) + table(rows);
+  for (const QString& band : marginBandTexts(card)) {
+    html += paragraph(band);
+  }
   for (const std::string& reason : card.reasons) {
     html += paragraph(shownSentence(reason));
   }
   return html;
 }
 
+/// Where each tumour lies.
+QString tumourTerritoriesOf(const TerritoryReport& report) {
+  if (report.tumours.empty()) {
+    return {};
+  }
+  QString rows = header({ReportText::tr("Tumour"), ReportText::tr("lies in")});
+  for (const TumourTerritories& tumour : report.tumours) {
+    rows += row({shownName(tumour.name), tumourTerritoriesText(tumour)});
+  }
+  return table(rows);
+}
+
 QString territoriesOf(const PlanReport& report) {
   if (!report.territories) {
     return {};
   }
-  QString html = heading(tr("Territories and the remnant's blood: estimates"));
+  QString html = heading(ReportText::tr("Territories and the remnant's blood: estimates"));
   if (!report.territories->volumes.empty()) {
-    QString rows = header({tr("Territory"), tr("volume"), tr("resected"), tr("remnant")});
+    QString rows =
+        header({ReportText::tr("Territory"), ReportText::tr("volume"), ReportText::tr("resected"), ReportText::tr("remnant")});
     for (const TerritoryVolume& part : report.territories->volumes) {
       rows += row({territoryName(part.name), mlText(part.volumeMl, 1), mlText(part.resectedMl, 1), mlText(part.remnantMl, 1)});
     }
-    html += table(rows);
+    html += table(rows) + tumourTerritoriesOf(*report.territories);
     if (!report.territories->territories.confirmed) {
-      html += paragraph(tr("Left and right are proposed from the main bifurcation; nobody has confirmed them."));
+      html += paragraph(ReportText::tr("Left and right are proposed from the main bifurcation; nobody has confirmed them."));
     }
   }
   html += paragraph(perfusionText(report.territories->effect));
@@ -202,15 +240,17 @@ QString bendText(const QString& name, const ResectionPlane& plane) {
   for (const double height : bend.heightsMm) {
     heights << numberText(height, 1);
   }
-  return tr("%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. "
-            "Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as "
-            "they are at its border.")
+  return ReportText::tr(
+             "%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. "
+             "Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as "
+             "they are at its border.")
       .arg(name, numberText(2 * bend.halfSizeMm, 0), vectorText(bend.u, 4), vectorText(plane.normal.cross(bend.u), 4),
            heights.join(QStringLiteral("; ")));
 }
 
 QString planesOf(const PlanReport& report) {
-  QString rows = header({tr("Plane"), tr("a point of it, mm LPS"), tr("normal, to the resected side")});
+  QString rows =
+      header({ReportText::tr("Plane"), ReportText::tr("a point of it, mm LPS"), ReportText::tr("normal, to the resected side")});
   QString bends;
   for (const Resection& resection : report.plan.resections) {
     for (std::size_t n = 0; n < resection.planes.size(); ++n) {
@@ -222,39 +262,34 @@ QString planesOf(const PlanReport& report) {
       }
     }
   }
-  QString html = heading(tr("Planes")) + table(rows) + bends;
+  QString html = heading(ReportText::tr("Planes")) + table(rows) + bends;
   if (!report.plan.measures.empty()) {
     QString distances;
     for (const Measure& measure : report.plan.measures) {
       distances += row({shownName(measure.name), mmText(measure.mm())});
     }
-    html += heading(tr("Measured distances")) + table(distances);
+    html += heading(ReportText::tr("Measured distances")) + table(distances);
   }
   return html;
 }
 
-QString meshHash(const SurfaceMesh& mesh) {
-  Sha256 sum;
-  sum.update(std::as_bytes(std::span(mesh.vertices)));
-  sum.update(std::as_bytes(std::span(mesh.triangles)));
-  return QString::fromStdString(sum.hex());
-}
-
 QString structuresOf(const PlanReport& report) {
-  QString rows = header({tr("Structure"), tr("made by"), tr("triangles"), tr("voxels, mL"), tr("surface, mL"), tr("accepted by")});
+  QString rows = header({ReportText::tr("Structure"), ReportText::tr("made by"), ReportText::tr("triangles"),
+                         ReportText::tr("voxels, mL"), ReportText::tr("surface, mL"), ReportText::tr("accepted by")});
   QString hashes;
   for (const Structure& structure : report.content.model->structures) {
     if (!structure.reconstruction) {
-      rows += row({shownName(structure.name), tr("no surface yet"), {}, {}, {}, {}});
+      rows += row({shownName(structure.name), ReportText::tr("no surface yet"), {}, {}, {}, {}});
       continue;
     }
     const Reconstruction& made = *structure.reconstruction;
     rows += row({shownName(structure.name), shownSentence(made.parameters.describe()),
                  QLocale().toString(static_cast<qulonglong>(made.mesh.triangles.size())), numberText(made.voxelVolumeMl, 1),
                  numberText(made.meshVolumeMl, 1), acceptanceCell(structure)});
-    hashes += row({shownName(structure.name), meshHash(made.mesh)});
+    hashes += row({shownName(structure.name), QString::fromStdString(surfaceHash(made.mesh))});
   }
-  return heading(tr("Structures and parameters")) + table(rows) + heading(tr("SHA-256 of the surfaces' vertices and triangles")) +
+  return heading(ReportText::tr("Structures and parameters")) + table(rows) +
+         heading(ReportText::tr("SHA-256 of the surfaces' vertices and triangles")) +
          QStringLiteral("<div style=\"font-family:'DejaVu Sans Mono'; font-size:6pt\">") + table(hashes) + QStringLiteral("</div>");
 }
 
@@ -266,24 +301,25 @@ QString notAcceptedOf(const PlanReport& report) {
       names << structureName(structure);
     }
   }
-  return names.isEmpty() ? QString() : paragraph(tr("Not accepted by anybody: %1.").arg(names.join(QStringLiteral(", "))));
+  return names.isEmpty() ? QString()
+                         : paragraph(ReportText::tr("Not accepted by anybody: %1.").arg(names.join(QStringLiteral(", "))));
 }
 
 QString bodyOf(const PlanReport& report) {
-  QString html = QStringLiteral("<h2>") + tr("Resection plan: %1").arg(shownName(report.plan.name)).toHtmlEscaped() +
+  QString html = QStringLiteral("<h2>") + ReportText::tr("Resection plan: %1").arg(shownName(report.plan.name)).toHtmlEscaped() +
                  QStringLiteral("</h2>") + paragraph(patientLine(report));
   html += QStringLiteral("<table width=\"100%\"><tr>");
-  const std::array names{tr("from anterior"), tr("from superior"), tr("from the left")};
+  const std::array names{ReportText::tr("from anterior"), ReportText::tr("from superior"), ReportText::tr("from the left")};
   for (std::size_t n = 0; n < names.size(); ++n) {
     html +=
         QStringLiteral("<td align=\"center\"><img src=\"view%1\" width=\"212\"><br>%2</td>").arg(n).arg(names[n].toHtmlEscaped());
   }
   html += QStringLiteral("</tr></table>") + numbersOf(report) + tumoursOf(report) + notAcceptedOf(report);
-  html +=
-      paragraph(tr("Pre-operative, supine, rigid: pneumoperitoneum and mobilisation move the liver by centimetres; registration "
-                   "error not included. Not for clinical use."));
-  html += QStringLiteral("<div style=\"page-break-before:always\"></div>") + vesselsOf(report) + cardOf(report) +
-          territoriesOf(report) + planesOf(report) + structuresOf(report);
+  html += paragraph(
+      ReportText::tr("Pre-operative, supine, rigid: pneumoperitoneum and mobilisation move the liver by centimetres; registration "
+                     "error not included. Not for clinical use."));
+  html += QStringLiteral("<div style=\"page-break-before:always\"></div>") + islandsOf(report) + vesselsOf(report) +
+          cardOf(report) + territoriesOf(report) + planesOf(report) + structuresOf(report);
   return html;
 }
 
@@ -304,7 +340,7 @@ void drawPages(QPdfWriter& writer, QTextDocument& document, const QString& foote
     painter.setFont(QFont(document.defaultFont().family(), 7));
     const QRectF line(0, page.height() + 3 * perMm, page.width(), (kFooterMm - 3) * perMm);
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, footer);
-    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, tr("page %1 of %2").arg(n + 1).arg(pages));
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, ReportText::tr("page %1 of %2").arg(n + 1).arg(pages));
   }
 }
 
@@ -354,10 +390,11 @@ void writePdf(const PlanReport& report, const QString& path) {
       document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("view%1").arg(n)), report.views[n]);
     }
     document.setHtml(bodyOf(report));
-    const QString footer =
-        QStringList{QString::fromStdString(report.content.code), tr("CT of %1").arg(dateText(report.content.identity.studyDate)),
-                    QStringLiteral("Glisson ") + QString::fromStdString(std::string(glissonVersion())), tr("not for clinical use")}
-            .join(QStringLiteral(" \u00B7 "));
+    const QString footer = QStringList{QString::fromStdString(report.content.code),
+                                       ReportText::tr("CT of %1").arg(dateText(report.content.identity.studyDate)),
+                                       QStringLiteral("Glisson ") + QString::fromStdString(std::string(glissonVersion())),
+                                       ReportText::tr("not for clinical use")}
+                               .join(QStringLiteral(" \u00B7 "));
     drawPages(writer, document, footer);
   }
   if (!file.commit()) {

@@ -29,6 +29,14 @@ QString territoryName(const std::string& name) {
   return name == "unassigned" ? TerritoryBox::tr("unassigned") : shownName(name);
 }
 
+QString tumourTerritoriesText(const TumourTerritories& tumour) {
+  QStringList parts;
+  for (const TerritoryShare& share : tumour.shares) {
+    parts << QStringLiteral("%1 %2 (%3)").arg(territoryName(share.name), mlText(share.volumeMl, 1), percentText(share.percent));
+  }
+  return parts.isEmpty() ? TerritoryBox::tr("none of them") : parts.join(QStringLiteral(", "));
+}
+
 QString perfusionText(const PerfusionEstimate& effect) {
   if (!effect.isKnown()) {
     return TerritoryBox::tr("Estimate: no vessel inside the liver is labelled, so nothing is known of the remnant's blood.");

@@ -48,6 +48,9 @@ class TerritoryBox : public Translated<QGroupBox> {
 /// In the window's language. A name of its own: elsewhere "left" is a tumour that stays.
 QString territoryName(const std::string& name);
 
+/// "left 8.1 mL (80 %), right 2.0 mL (20 %)".
+QString tumourTerritoriesText(const TumourTerritories& tumour);
+
 /// "devascularised 12 mL, congested 30 mL, ...": the effect of a plan in a sentence, in the window's language.
 QString perfusionText(const PerfusionEstimate& effect);
 
