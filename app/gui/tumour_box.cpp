@@ -28,6 +28,7 @@ TumourBox::TumourBox(JobRunner& jobs, Document& document, TerritoryEstimator& es
   layout->addWidget(list_);
   connect(&document_, &Document::caseChanged, this, &TumourBox::measure);
   connect(&estimator_, &TerritoryEstimator::changed, this, &TumourBox::refresh);
+  connect(&document_, &Document::territoriesChanged, this, &TumourBox::refresh);
   retranslateUi();
 }
 
@@ -63,12 +64,13 @@ QString TumourBox::territoriesOf(const std::string& id) const {
     return tr("Territory: not known; estimate territories first.");
   }
   const QString lies = tr("Lies in: %1").arg(tumourTerritoriesText(*found));
-  return estimator_.report() != nullptr ? lies : lies + QStringLiteral(" ") + tr("(out of date)");
+  return marks_ == document_.content().territories ? lies : lies + QStringLiteral(" ") + tr("(out of date)");
 }
 
 void TumourBox::refresh() {
   if (const TerritoryReport* report = estimator_.report()) {
     territories_ = report->tumours;
+    marks_ = document_.content().territories;
   } else if (estimator_.state() == TerritoryEstimator::State::None) {
     territories_.clear();
   }

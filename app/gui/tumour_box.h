@@ -31,7 +31,8 @@ class TumourBox final : public Translated<QGroupBox> {
   TerritoryEstimator& estimator_;
   QTreeWidget* list_;
   std::vector<TumourMeasures> measured_;
-  std::vector<TumourTerritories> territories_;  ///< the last known
+  std::vector<TumourTerritories> territories_;  ///< the last known: a plane that moves changes nothing in them
+  TerritoryMarks marks_;                        ///< what they are of
 };
 
 }  // namespace glisson

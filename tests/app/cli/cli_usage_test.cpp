@@ -275,8 +275,9 @@ TEST(CliReconstruct, OfAnEmptyMaskNamesTheFileAndTheLabel) {
   std::ofstream(file, std::ios::binary)
       << "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 4 4 4\n"
          "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nSegment0_ID:=1\n"
-         "Segment0_Name:=speck\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n\n"
-      << std::string(64, '\0');
+         "Segment0_Name:=speck\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_ID:=2\nSegment1_Name:=other\n"
+         "Segment1_LabelValue:=2\nSegment1_Layer:=0\n\n"
+      << '\2' << std::string(63, '\0');
   const Finished finished = cli({"reconstruct", file, "--structure", "speck", "-o", folder / "a.stl"});
   expectRefusal(finished, 3, "speck.seg.nrrd, speck: the mask is empty");
 }

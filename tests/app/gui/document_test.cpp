@@ -235,7 +235,7 @@ TEST_F(DocumentTest, LooksAreNamedStepsAndASlideIsOne) {
   ASSERT_EQ(stack.count(), 5) << "another structure is another slide";
   stack.undo();
   stack.undo();
-  EXPECT_EQ(stack.undoText(), "hide tumour");
+  EXPECT_EQ(stack.undoText(), "hide tumour 1");
   EXPECT_EQ(document->content().model->find("parenchyma")->opacity, 0.9);
   stack.undo();
   EXPECT_TRUE(document->content().model->find("tumour_01")->visible);
@@ -458,7 +458,7 @@ TEST_F(DocumentTest, AnAcceptanceOfAnEarlierSessionIsNotDoneAgainOnAnotherSurfac
   Case read = file->load();
   Document again(jobs, recovery());
   again.open(std::move(read), std::move(file));
-  ASSERT_EQ(again.undoStack().undoText(), "accept tumour");
+  ASSERT_EQ(again.undoStack().undoText(), "accept tumour 1");
   again.undoStack().undo();
   again.undoStack().redo();
   EXPECT_FALSE(again.content().model->find("tumour_01")->acceptance);

@@ -692,6 +692,12 @@ TEST_F(WindowTest, ADistanceBetweenTwoClicksIsKeptInThePlanRemovedAndUndone) {
 TEST_F(WindowTest, TerritoriesAreEstimatedWhenAskedForFollowThePlanAndTakePickedBranches) {
   openSmall();
   EXPECT_FALSE(find<QWidget>("pickTerritory")->isVisibleTo(window.get()));
+  auto* sizes = find<QTreeWidget>("tumourMeasures");
+  ASSERT_TRUE(waitFor([&] { return sizes->topLevelItemCount() == 1; }));
+  const auto place = [&] { return sizes->topLevelItem(0)->child(2)->text(0); };
+  EXPECT_EQ(sizes->topLevelItem(0)->text(0), "tumour 1");
+  EXPECT_TRUE(sizes->topLevelItem(0)->child(1)->text(0).startsWith("Nearest vessel: portal vein, ")) << "4.10";
+  EXPECT_TRUE(place().startsWith("Territory: not known")) << place().toStdString();
   find<QPushButton>("estimateTerritories")->click();
   auto* table = find<QTreeWidget>("territoryTable");
   auto* text = find<QLabel>("perfusionText");
@@ -708,6 +714,8 @@ TEST_F(WindowTest, TerritoriesAreEstimatedWhenAskedForFollowThePlanAndTakePicked
   EXPECT_FALSE(document().plane().has_value());  // no plane is placed by it
   ASSERT_TRUE(waitFor([&] { return table->topLevelItemCount() == 1 && table->isEnabled(); }));
   EXPECT_EQ(table->topLevelItem(0)->text(0), "Territory 1");
+  EXPECT_TRUE(place().startsWith("Lies in: Territory 1 ")) << place().toStdString();
+  EXPECT_TRUE(place().contains("(100")) << place().toStdString();
   const auto number = [](const QString& ml) { return ml.split(' ').front().split(QChar(0xA0)).front().toDouble(); };
   EXPECT_EQ(number(table->topLevelItem(0)->text(2)), 0);
   document().placePlane({smallCentre(), Vec3::UnitX()});
@@ -720,6 +728,7 @@ TEST_F(WindowTest, TerritoriesAreEstimatedWhenAskedForFollowThePlanAndTakePicked
   for (int mm = 1; mm <= 9; ++mm) {
     document().dragTo({smallCentre() + Vec3(mm, 0, 0), Vec3::UnitX()});
     EXPECT_FALSE(table->isEnabled());
+    EXPECT_FALSE(place().contains("out of date")) << "a plane that moves changes no territory";
   }
   document().endDrag({smallCentre() + Vec3(9, 0, 0), Vec3::UnitX()});
   ASSERT_TRUE(settle());
@@ -730,6 +739,7 @@ TEST_F(WindowTest, TerritoriesAreEstimatedWhenAskedForFollowThePlanAndTakePicked
   ASSERT_EQ(document().content().territories.marks.size(), 1U);
   find<QPushButton>("proposeTerritories")->click();
   ASSERT_TRUE(waitFor([&] { return table->topLevelItemCount() == 0; }));
+  EXPECT_TRUE(place().startsWith("Territory: not known")) << place().toStdString();
   EXPECT_TRUE(document().content().territories.marks.empty());
   EXPECT_EQ(document().undoStack().undoText(), "propose territories");
   document().undoStack().undo();
