@@ -2790,6 +2790,10 @@
         <source>The piece at (%1, %2, %3) mm is given to the other side, but on the surface it hangs together with the rest: give it back, or move the plane, then export again.</source>
         <translation>Das Stück bei (%1, %2, %3) mm ist der anderen Seite gegeben, hängt auf der Oberfläche aber mit dem Übrigen zusammen: Geben Sie es zurück oder verschieben Sie die Ebene und exportieren Sie erneut.</translation>
     </message>
+    <message>
+        <source>an edit of structures has not the same ones before and after</source>
+        <translation>eine Bearbeitung von Strukturen hat vorher und nachher nicht dieselben</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>

@@ -172,6 +172,7 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "its %1 is missing")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its %1 does not match its checksum")},
     {"", QT_TRANSLATE_NOOP("Sentence", "a structure has no mask")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "an edit of structures has not the same ones before and after")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "a document has not the form of version %1")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its case has no CT source")},
     {"", QT_TRANSLATE_NOOP("Sentence", "its history cannot be read")},

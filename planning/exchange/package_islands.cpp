@@ -125,8 +125,10 @@ std::size_t ownerOf(const SurfaceMesh& piece, const ResectionPlan& plan, AreaOnP
   return owner;
 }
 
-std::string textOf(const Vec3& p) {
-  return "(" + formatNumber(p[0], 1) + ", " + formatNumber(p[1], 1) + ", " + formatNumber(p[2], 1) + ")";
+[[noreturn]] void hangsTogether(const Vec3& p) {
+  throw PlanningError("The piece at (" + formatNumber(p[0], 1) + ", " + formatNumber(p[1], 1) + ", " + formatNumber(p[2], 1) +
+                      ") mm is given to the other side, but on the surface it hangs together with the rest: give it back, or move "
+                      "the plane, then export again.");
 }
 }  // namespace
 
@@ -144,10 +146,7 @@ void moveIslands(const std::vector<IslandAssessment>& islands, const ResectionPl
       piece = takeOut(parts[r].pieces, island);
     }
     if (!piece) {
-      throw PlanningError(
-          "The piece at " + textOf(island.point) +
-          " mm is given to the other side, but on the surface it hangs together with the rest: give it back, or move "
-          "the plane, then export again.");
+      hangsTogether(island.point);
     }
     for (ResectedPart& part : parts) {
       removeFacesOf(*piece, part.surface);

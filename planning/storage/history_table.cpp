@@ -112,11 +112,11 @@ void writeHistory(const Database& database, const std::vector<EditStep>& steps) 
 }
 
 std::vector<EditStep> readHistory(const Database& database, std::size_t atMost, bool named) {
-  std::string sql = std::string("SELECT before, after, ") + (named ? "name" : "''");
-  for (const char* kind : kKinds) {
-    sql += records(database, kind) ? std::string(", ") + kind + "_before, " + kind + "_after" : std::string(", '', ''");
+  std::string columns = named ? "before,after,name" : "before,after,''";
+  for (const std::string kind : kKinds) {
+    columns += records(database, kind) ? "," + kind + "_before," + kind + "_after" : std::string(",'',''");
   }
-  sql += " FROM history ORDER BY step DESC LIMIT ?";
+  const std::string sql = "SELECT " + columns + " FROM history ORDER BY step DESC LIMIT ?";
   Statement statement(database, sql.c_str());
   statement.bind(0, static_cast<std::int64_t>(atMost));
   return readOrDamaged(database, "its history cannot be read", [&] {

@@ -69,7 +69,7 @@ constexpr auto kNeverShown = std::to_array<NeverShown>({
     {"", "static_assert()", "told by the compiler"},
     {"", "starts_with()", "compared with, not said"},
     {"", "find()", "compared with, not said"},
-    {"planning/storage/", "(PRAGMA|SELECT|INSERT|DELETE|CREATE|BEGIN|UPDATE) .*|execute\\(\\)", "SQL"},
+    {"planning/storage/", "(PRAGMA|SELECT|INSERT|DELETE|CREATE|ALTER|BEGIN|UPDATE) .*|execute\\(\\)", "SQL"},
     {"reconstruction/sample/dicom_series.cpp", ".*", "the sample patient's files, written by glisson-cli"},
     {"reconstruction/sample/volume_writers.cpp", ".*", "the sample patient's files, written by glisson-cli"},
     {"reconstruction/sample/write_sample.cpp", ".*", "the sample patient's files, written by glisson-cli"},
