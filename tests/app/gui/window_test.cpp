@@ -22,7 +22,6 @@
 #include <QSemaphore>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -30,17 +29,14 @@
 #include "app/gui/export_panel.h"
 #include "app/gui/job_bar.h"
 #include "app/gui/label_dialog.h"
-#include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/plane_placer.h"
 #include "app/gui/title_line.h"
 #include "app/gui/view_area.h"
-#include "app/jobs/thread_job_runner.h"
+#include "main_window_test.h"
 #include "planning/exchange/package.h"
 #include "planning/storage/case_file.h"
 #include "reconstruction/errors.h"
-#include "small_case.h"
-#include "wait.h"
 
 namespace glisson {
 namespace {
@@ -49,48 +45,14 @@ using test::smallCase;
 using test::smallCentre;
 using test::waitFor;
 
-class WindowTest : public testing::Test {
+class WindowTest : public test::MainWindowTest {
  protected:
-  QTemporaryDir folder;
-  Language language;
-  std::unique_ptr<ThreadJobRunner> jobs = std::make_unique<ThreadJobRunner>(2);
-  std::unique_ptr<MainWindow> window;
-
-  void SetUp() override {
-    language.use("en");
-    window = std::make_unique<MainWindow>(*jobs, language, folder.filePath("recovery").toStdString());
-    window->resize(1024, 700);
-    window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-  }
-  void TearDown() override {
-    jobs.reset();
-    window.reset();
-  }
-  template <class T>
-  T* find(const QString& name) {
-    T* found = window->findChild<T*>(name);
-    EXPECT_NE(found, nullptr) << name.toStdString();
-    return found;
-  }
-  void click(const QString& name) { QTest::mouseClick(find<QWidget>(name), Qt::LeftButton); }
   /// Qt posts the change to every window: it has arrived when the menu speaks the language.
   void changeLanguage(const QString& code) {
     window->setLanguage(code);
     const QString file = code == "de" ? "&Datei" : "&File";
     ASSERT_TRUE(waitFor([&] { return find<QMenu>("menuFile")->menuAction()->text() == file; }));
     QTest::qWait(50);  // layouts settle in the event loop
-  }
-  Document& document() { return window->document(); }
-
-  /// Opens the small case by way of the opener's signal, as after reading, and waits for the whole model.
-  void openSmall() {
-    emit window->opener().opened(smallCase(), nullptr, {});
-    ASSERT_TRUE(settle());
-    ASSERT_EQ(window->builder().missing(), 0);
-  }
-  bool settle() {
-    return waitFor([this] { return jobs->idle() && document().freshness() == Freshness::All; });
   }
   void openSmallWithPlane() {
     openSmall();
