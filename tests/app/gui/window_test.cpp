@@ -103,6 +103,81 @@ TEST_F(WindowTest, AnOriginTypedInMovesThePlaneAndUndoNamesTheStep) {
   EXPECT_EQ(undo->text(), "Undo: place plane");
 }
 
+TEST_F(WindowTest, TheKeyOfUndoTakesTheStepBackWhileTheNumberFieldStillHasTheFocus) {
+  openSmallWithPlane();
+  const ResectionPlane placed = *document().plane();
+  auto* field = find<QDoubleSpinBox>("originX");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "-30.5");
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);  // what is typed and not taken over is the field's to undo
+  EXPECT_EQ(*document().plane(), placed);
+  EXPECT_EQ(document().undoStack().count(), 1);
+  field->selectAll();
+  QTest::keyClicks(field, "-30.5");
+  QTest::keyClick(field, Qt::Key_Return);
+  ASSERT_EQ(document().plane()->origin.x(), -30.5);
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(*document().plane(), placed);
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(document().plane()->origin.x(), -30.5);
+}
+
+TEST_F(WindowTest, H6TheCaseThatIsOpenIsNotOpenedOnceMoreReadOnly) {
+  openSmallWithPlane();
+  const QString path = folder.filePath("mine.glisson");
+  document().saveAs(path.toStdString());
+  ASSERT_TRUE(waitFor([&] { return document().isClean(); }));
+  window->opener().openPaths({path});
+  window->opener().openPaths({path});  // as a double click does
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(document().isReadOnly());
+  EXPECT_TRUE(find<MessageBar>("messageBar")->messages().isEmpty());
+  click("placePlane");
+  document().flush();
+  EXPECT_EQ(CaseFile::open(path.toStdString()).load().plans.front().resections.front().planes.front(), *document().plane());
+}
+
+TEST_F(WindowTest, ADoubleClickOnALastCaseOpensItOnceAndForWriting) {
+  const QString path = folder.filePath("mine.glisson");
+  CaseFile::create(path.toStdString(), smallCase());
+  for (int n = 0; n < 3; ++n) {
+    window->opener().openPaths({path});
+  }
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(document().isOpen());
+  EXPECT_FALSE(document().isReadOnly());
+}
+
+TEST_F(WindowTest, VolumesThatWereCancelledAreStartedAgainByPlacingAPlane) {
+  emit window->opener().opened(smallCase(), nullptr, {});
+  jobs->cancelAll();
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  ASSERT_FALSE(document().liverCentre().has_value());
+  click("workspacePlan");
+  auto* place = find<QPushButton>("placePlane");
+  ASSERT_TRUE(place->isEnabled());
+  click("placePlane");
+  ASSERT_TRUE(waitFor([this] { return document().liverCentre().has_value(); }));
+  click("placePlane");
+  EXPECT_TRUE(document().plane().has_value());
+}
+
+TEST_F(WindowTest, ACaseWithoutANameIsListedFirstAndAsNotSaved) {
+  CaseFile::create(folder.filePath("named.glisson").toStdString(), smallCase());
+  window->opener().openPaths({folder.filePath("named.glisson")});
+  ASSERT_TRUE(settle());
+  std::filesystem::create_directories(folder.filePath("recovery").toStdString());
+  CaseFile::create(folder.filePath("recovery/G-1.glisson").toStdString(), smallCase());
+  MainWindow next(*jobs, language, folder.filePath("recovery").toStdString());
+  auto* list = next.findChild<QListWidget*>("recentList");
+  ASSERT_NE(list, nullptr);
+  ASSERT_EQ(list->count(), 2);
+  EXPECT_TRUE(list->item(0)->text().startsWith("Not saved under a name: G-1, last changed "))
+      << list->item(0)->text().toStdString();
+  EXPECT_TRUE(list->item(1)->text().startsWith("named.glisson"));
+}
+
 TEST_F(WindowTest, AWholeNewNormalCanBeTypedFieldByField) {
   openSmallWithPlane();  // its normal is (1, 0, 0): the first field alone would leave no direction
   for (const auto& [name, text] : {std::pair("normalX", "0"), std::pair("normalY", "0"), std::pair("normalZ", "1")}) {
