@@ -69,6 +69,13 @@
     </message>
 </context>
 <context>
+    <name>RecentCase</name>
+    <message>
+        <source>Not saved under a name: %1, last changed %2</source>
+        <translation>Nicht unter einem Namen gespeichert: %1, zuletzt geändert %2</translation>
+    </message>
+</context>
+<context>
     <name>Sentence</name>
     <message>
         <source>%1 was not read within %2 seconds; check the file, or copy it to a faster disk.</source>
@@ -2794,6 +2801,18 @@
         <source>an edit of structures has not the same ones before and after</source>
         <translation>eine Bearbeitung von Strukturen hat vorher und nachher nicht dieselben</translation>
     </message>
+    <message>
+        <source>%1 lacks a rescale slope or intercept that its series has, so its Hounsfield units would be wrong; copy or export the series again.</source>
+        <translation>%1 fehlt eine Steigung oder ein Achsenabschnitt zum Umrechnen, die seine Serie hat, sodass die Hounsfield-Einheiten falsch wären; kopieren oder exportieren Sie die Serie erneut.</translation>
+    </message>
+    <message>
+        <source>Labels of another patient than the CT&apos;s were taken with consent (their %1 differ).</source>
+        <translation>Labels eines anderen Patienten als dem der CT wurden mit Zustimmung übernommen (verschieden: %1).</translation>
+    </message>
+    <message>
+        <source>Labels of another frame of reference than the CT&apos;s were taken with consent (their %1 differ).</source>
+        <translation>Labels eines anderen Bezugssystems als dem der CT wurden mit Zustimmung übernommen (verschieden: %1).</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -4040,6 +4059,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>methods</source>
         <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>%1 is open already.</source>
+        <translation>%1 ist bereits geöffnet.</translation>
     </message>
 </context>
 <context>

@@ -44,7 +44,13 @@ QString consequenceOf(Consent consent) {
 
 }  // namespace
 
-CaseOpener::CaseOpener(JobRunner& jobs, QWidget* dialogParent) : QObject(dialogParent), jobs_(jobs), dialogParent_(dialogParent) {}
+CaseOpener::CaseOpener(JobRunner& jobs, QWidget* dialogParent) : QObject(dialogParent), jobs_(jobs), dialogParent_(dialogParent) {
+  connect(&jobs_, &JobRunner::jobEnded, this, [this](JobId id) {
+    if (opening_ == id) {
+      opening_.reset();
+    }
+  });
+}
 
 void CaseOpener::openSample() {
   OpenRequest request;
@@ -56,13 +62,17 @@ void CaseOpener::openPaths(const QStringList& paths) {
   OpenRequest request;
   request.paths = toPaths(paths);
   request.options = options_;
+  if (opening_ && request.paths == openingPaths_) {
+    return;  // a double click: the second one would find the file taken by the first
+  }
   start(request);
 }
 
 void CaseOpener::start(const OpenRequest& request) {
   JobRequest job{.key = "open", .title = request.sample ? tr("Making the sample patient") : tr("Reading files")};
   job.fail = [this, request](const std::exception& error) { handleRefusal(request, error); };
-  submitFor<OpenedCase>(
+  openingPaths_ = request.paths;
+  opening_ = submitFor<OpenedCase>(
       jobs_, std::move(job), [request](const ExecutionContext& context) { return openInputs(request, context); },
       [this, request](OpenedCase result) { handle(request, std::move(result)); });
 }

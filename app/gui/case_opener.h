@@ -39,6 +39,8 @@ class CaseOpener : public QObject {
   QWidget* dialogParent_;
   ReadOptions options_;
   bool unattended_ = false;
+  std::optional<JobId> opening_;  ///< what is being read now
+  std::vector<std::filesystem::path> openingPaths_;
 };
 
 }  // namespace glisson

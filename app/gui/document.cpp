@@ -11,6 +11,12 @@ namespace glisson {
 Document::Document(JobRunner& jobs, std::filesystem::path recoveryFolder, QObject* parent)
     : QObject(parent), jobs_(jobs), recoveryFolder_(std::move(recoveryFolder)) {
   connect(&undo_, &QUndoStack::cleanChanged, this, &Document::cleanChanged);
+  connect(&jobs_, &JobRunner::jobEnded, this, [this](JobId id) {
+    if (preparing_ == id) {
+      preparing_.reset();
+      emit assessmentChanged();
+    }
+  });
   connect(&store_, &CaseStore::failed, this, &Document::storeFailed);
   connect(&store_, &CaseStore::saved, this, [this](const QString& path) {
     path_ = path.toStdString();
@@ -163,10 +169,16 @@ struct Assessor {
 
 }  // namespace
 
+void Document::prepareVolumes() {
+  if (open_ && !assessor_ && !preparing_) {
+    prepareAssessor();
+  }
+}
+
 void Document::prepareAssessor() {
   JobRequest request{.key = "assessor", .title = tr("Volumes")};
   request.fail = [this](const std::exception& error) { emit storeFailed(messageOf(error)); };
-  submitFor<Assessor>(
+  preparing_ = submitFor<Assessor>(
       jobs_, std::move(request),
       [content = case_](const ExecutionContext&) {
         return Assessor{std::make_shared<const PlanAssessor>(content), std::make_shared<const TumourDistance>(content),

@@ -71,6 +71,9 @@ class Document : public QObject {
   [[nodiscard]] const std::shared_ptr<const TumourDistance>& tumourDistance() const { return tumourDistance_; }
   /// Centre of L's voxels, mm; nothing until computed.
   [[nodiscard]] std::optional<Vec3> liverCentre() const { return liverCentre_; }
+  /// Starts what the numbers are counted by, where it was cancelled; it starts by itself with the case.
+  void prepareVolumes();
+  [[nodiscard]] bool isPreparingVolumes() const { return preparing_.has_value(); }
 
   /// Each is one undo step with its name. A plane is placed where none is, else moved there; placed anew it is flat, moved it keeps
   /// its bend.
@@ -187,6 +190,7 @@ class Document : public QObject {
   QUndoStack undo_;
   CaseStore store_;
   std::shared_ptr<const PlanAssessor> assessor_;
+  std::optional<JobId> preparing_;  ///< the job that makes it
   std::shared_ptr<const TumourDistance> tumourDistance_;
   std::optional<Vec3> liverCentre_;
   PlanAssessment assessment_;

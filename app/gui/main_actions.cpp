@@ -219,13 +219,13 @@ void MainActions::refresh() {
   hide_->setChecked(window_.titleLine().identityHidden());
 }
 
-void MainActions::setRecent(const QStringList& paths) {
+void MainActions::setRecent(const QList<RecentCase>& cases) {
   recent_->clear();
-  for (const QString& path : paths) {
-    connect(recent_->addAction(QDir::toNativeSeparators(path)), &QAction::triggered, this,
-            [this, path] { window_.opener().openPaths({path}); });
+  for (const RecentCase& one : cases) {
+    const QString text = one.unsaved.isValid() ? one.text() : QDir::toNativeSeparators(one.path);
+    connect(recent_->addAction(text), &QAction::triggered, this, [this, path = one.path] { window_.opener().openPaths({path}); });
   }
-  recent_->setEnabled(!paths.isEmpty());
+  recent_->setEnabled(!cases.isEmpty());
 }
 
 void MainActions::setPanelsShown(bool left, bool right) {

@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "app/gui/recent_case.h"
+
 namespace glisson {
 
 class MainWindow;
@@ -18,7 +20,7 @@ class MainActions : public QObject {
   void retranslateUi();
   /// Enabled states and the names of the steps to undo.
   void refresh();
-  void setRecent(const QStringList& paths);
+  void setRecent(const QList<RecentCase>& cases);
   void setPanelsShown(bool left, bool right);
 
  private:

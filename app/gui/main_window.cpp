@@ -32,6 +32,7 @@
 #include "app/gui/structure_list.h"
 #include "app/gui/territory_box.h"
 #include "app/gui/title_line.h"
+#include "app/gui/undo_keys.h"
 #include "app/gui/view_area.h"
 #include "reconstruction/errors.h"
 
@@ -51,6 +52,7 @@ MainWindow::MainWindow(JobRunner& jobs, Language& language, std::filesystem::pat
   setMinimumSize(1024, 700);
   build();
   actions_ = new MainActions(*this);
+  new UndoKeys(this);
   connectParts();
   const QSettings settings;
   setWindowLevel(settings.value("windowWidth", WindowLevel{}.width).toDouble(),
@@ -196,6 +198,12 @@ void MainWindow::rateModels() {
 }
 
 void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& file) {
+  std::error_code ignored;
+  if (file && document_->isOpen() && !document_->isReadOnly() &&
+      std::filesystem::equivalent(file->path(), document_->path(), ignored)) {
+    jobBar_->tell(tr("%1 is open already.").arg(QDir::toNativeSeparators(QString::fromStdString(file->path().string()))));
+    return;  // in its place would come the same case without the right to write it
+  }
   document_->open(content, file);
   if (file) {
     remember(QString::fromStdString(file->path().string()));
@@ -306,19 +314,18 @@ void MainWindow::remember(const QString& path) {
 }
 
 void MainWindow::showRecent() {
-  QStringList paths;
-  for (const QString& path : QSettings().value("recent").toStringList()) {
-    if (QFileInfo::exists(path)) {
-      paths << path;
-    }
-  }
+  QList<RecentCase> cases;
   const QDir recovery(QString::fromStdString(recoveryFolder_.string()));
   for (const QFileInfo& file : recovery.entryInfoList({"*.glisson"}, QDir::Files, QDir::Time)) {
-    if (!paths.contains(file.filePath())) {
-      paths << file.filePath();  // a case that never got a name is not lost
+    cases.push_back({file.filePath(), file.lastModified()});  // a case that never got a name is not lost
+  }
+  for (const QString& path : QSettings().value("recent").toStringList()) {
+    const auto listed = [&path](const RecentCase& one) { return one.path == path; };
+    if (QFileInfo::exists(path) && std::ranges::none_of(cases, listed)) {
+      cases.push_back({path, {}});
     }
   }
-  emit recentChanged(paths);
+  emit recentChanged(cases);
 }
 
 }  // namespace glisson

@@ -69,7 +69,7 @@ class MainWindow : public Translated<QMainWindow> {
  signals:
   /// An input was refused, a structure or an export failed: also shown in the message bar.
   void failed(const QString& message);
-  void recentChanged(const QStringList& paths);
+  void recentChanged(const QList<glisson::RecentCase>& cases);
 
  protected:
   void retranslateUi() override;

@@ -246,7 +246,7 @@ void PlanPanel::refreshPlacing() {
   QString refusal;
   if (!document_.isOpen()) {
     refusal = tr("Open a case first.");
-  } else if (!document_.liverCentre()) {
+  } else if (!document_.liverCentre() && document_.isPreparingVolumes()) {
     refusal = tr("The liver's volumes are being computed.");
   }
   editor_->setPlaceRefusal(refusal);

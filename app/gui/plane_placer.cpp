@@ -33,6 +33,7 @@ void PlanePlacer::place(const std::function<HalfSpace()>& make) {
 void PlanePlacer::placeAsSeen() {
   const std::optional<Vec3> centre = document_.liverCentre();
   if (!document_.isOpen() || !centre) {
+    document_.prepareVolumes();
     emit refused(QStringLiteral("The plane can be placed as soon as the liver's volumes are computed."));
     return;
   }

@@ -66,6 +66,10 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"fnn", QT_TRANSLATE_NOOP("Sentence",
                               "%1 has a rescale slope of %2 where its series has %3, so its Hounsfield units would be wrong; copy "
                               "or export the series again.")},
+    {"f",
+     QT_TRANSLATE_NOOP("Sentence",
+                       "%1 lacks a rescale slope or intercept that its series has, so its Hounsfield units would be wrong; copy "
+                       "or export the series again.")},
     {"nn", QT_TRANSLATE_NOOP("Sentence", "The slices have rescale slopes of their own, from %1 to %2.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "does not say to which series it belongs")},
     {"", QT_TRANSLATE_NOOP("Sentence", "says that it belongs to another series than the rest")},

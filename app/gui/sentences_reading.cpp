@@ -192,6 +192,9 @@ constexpr auto kRows = std::to_array<SentenceRow>({
      QT_TRANSLATE_NOOP("Sentence",
                        "%1 belongs to another frame of reference than the CT %2 (their %3 differ); choose the right files, or read "
                        "them all the same.")},
+    {"s", QT_TRANSLATE_NOOP("Sentence", "Labels of another patient than the CT's were taken with consent (their %1 differ).")},
+    {"s", QT_TRANSLATE_NOOP("Sentence",
+                            "Labels of another frame of reference than the CT's were taken with consent (their %1 differ).")},
     {"", QT_TRANSLATE_NOOP("Sentence", "PatientID and FrameOfReferenceUID")},
     {"", QT_TRANSLATE_NOOP("Sentence", "PatientID")},
     {"", QT_TRANSLATE_NOOP("Sentence", "FrameOfReferenceUID")},

@@ -1,7 +1,6 @@
 #include "app/gui/start_page.h"
 
 #include <QDir>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
@@ -65,7 +64,6 @@ StartPage::StartPage(QWidget* parent)
   connect(recent_, &QListWidget::itemClicked, this,
           [this](const QListWidgetItem* item) { emit recentRequested(item->data(Qt::UserRole).toString()); });
   retranslateUi();
-  setRecent({});
 }
 
 void StartPage::retranslateUi() {
@@ -80,17 +78,19 @@ void StartPage::retranslateUi() {
          "2. Place the resection plane on the liver and move it: volumes and margins follow.\n"
          "3. Export the package for navigation."));
   recentTitle_->setText(tr("Last cases"));
+  setRecent(cases_);
 }
 
-void StartPage::setRecent(const QStringList& paths) {
+void StartPage::setRecent(const QList<RecentCase>& cases) {
+  cases_ = cases;
   recent_->clear();
-  for (const QString& path : paths) {
-    auto* item = new QListWidgetItem(QFileInfo(path).fileName() + QStringLiteral("   ") + QDir::toNativeSeparators(path), recent_);
-    item->setData(Qt::UserRole, path);
-    item->setToolTip(QDir::toNativeSeparators(path));
+  for (const RecentCase& one : cases) {
+    auto* item = new QListWidgetItem(one.text(), recent_);
+    item->setData(Qt::UserRole, one.path);
+    item->setToolTip(QDir::toNativeSeparators(one.path));
   }
-  recent_->setVisible(!paths.isEmpty());
-  recentTitle_->setVisible(!paths.isEmpty());
+  recent_->setVisible(!cases.isEmpty());
+  recentTitle_->setVisible(!cases.isEmpty());
 }
 
 }  // namespace glisson

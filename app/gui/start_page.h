@@ -1,9 +1,9 @@
 #pragma once
 // Purpose: what the empty window shows: the sample patient one click away, the last cases, three steps, what to drop here.
 
-#include <QStringList>
 #include <QWidget>
 
+#include "app/gui/recent_case.h"
 #include "app/gui/translated.h"
 
 class QLabel;
@@ -16,7 +16,7 @@ class StartPage : public Translated<QWidget> {
   Q_OBJECT
  public:
   explicit StartPage(QWidget* parent = nullptr);
-  void setRecent(const QStringList& paths);
+  void setRecent(const QList<RecentCase>& cases);
 
  signals:
   void sampleRequested();
@@ -35,6 +35,7 @@ class StartPage : public Translated<QWidget> {
   QLabel* drop_;
   QLabel* recentTitle_;
   QListWidget* recent_;
+  QList<RecentCase> cases_;
 };
 
 }  // namespace glisson

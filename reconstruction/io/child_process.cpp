@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,28 +25,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kPollMs = 50;
 
-/// A private folder that goes with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "glisson-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-      throw InputError("No temporary folder can be made in " + fs::temp_directory_path().string() + "; free some space there.");
-    }
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] fs::path file(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
 class Descriptor {
  public:
   explicit Descriptor(int value) : value_(value) {}
@@ -57,10 +37,61 @@ class Descriptor {
       value_ = -1;
     }
   }
+  void reset(int value) {
+    close();
+    value_ = value;
+  }
   [[nodiscard]] int get() const { return value_; }
 
  private:
   int value_;
+};
+
+/// Removes what programs that were killed have left behind: their locks went with them.
+void removeLeftFolders(const fs::path& place, const std::string& prefix) {
+  constexpr auto kMinute = std::chrono::minutes(1);  // a folder is locked a moment after it is made
+  std::error_code ignored;
+  for (fs::directory_iterator entry(place, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+    if (!entry->path().filename().string().starts_with(prefix) || entry->is_symlink(ignored) ||
+        fs::file_time_type::clock::now() - entry->last_write_time(ignored) < kMinute) {
+      continue;
+    }
+    const Descriptor folder(::open(entry->path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    struct stat about {};
+    if (folder.get() >= 0 && ::fstat(folder.get(), &about) == 0 && about.st_uid == ::geteuid() &&
+        ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0) {
+      std::error_code stays;
+      fs::remove_all(entry->path(), stays);
+    }
+  }
+}
+
+/// A private folder that goes with the object, or with the next one where the program is killed.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : lock_(-1) {
+    const fs::path place = fs::temp_directory_path();
+    static const std::string prefix = "glisson-import-";
+    removeLeftFolders(place, prefix);
+    std::string pattern = (place / (prefix + "XXXXXX")).string();
+    if (::mkdtemp(pattern.data()) == nullptr) {
+      throw InputError("No temporary folder can be made in " + place.string() + "; free some space there.");
+    }
+    path_ = pattern;
+    lock_.reset(::open(pattern.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    ::flock(lock_.get(), LOCK_EX | LOCK_NB);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] fs::path file(const char* name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+  Descriptor lock_;
 };
 
 /// A started child; killed and reaped with the object unless it was waited for.

@@ -10,16 +10,19 @@ namespace glisson {
 namespace {
 bool differ(const std::string& a, const std::string& b) { return !a.empty() && !b.empty() && a != b; }
 
-void requireSamePatient(const Segmentation& segmentation, const CtVolume& ct, const ReadOptions& options) {
-  if (options.consents.contains(Consent::OtherPatient)) {
-    return;
-  }
+/// A note where they differ and that was accepted.
+void requireSamePatient(Segmentation& segmentation, const CtVolume& ct, const ReadOptions& options) {
   const bool otherId = differ(segmentation.patientId, ct.identity.patientId);
   const bool otherFrame = differ(segmentation.frameOfReferenceUid, ct.identity.frameOfReferenceUid);
   if (otherId || otherFrame) {  // which id, never its value: a message may be copied anywhere
     const std::string ids = otherId && otherFrame ? "PatientID and FrameOfReferenceUID"
                             : otherId             ? "PatientID"
                                                   : "FrameOfReferenceUID";
+    if (options.consents.contains(Consent::OtherPatient)) {
+      segmentation.notes.push_back("Labels of another " + std::string(otherId ? "patient" : "frame of reference") +
+                                   " than the CT's were taken with consent (their " + ids + " differ).");
+      return;
+    }
     throw InputError(segmentation.source + " belongs to another " + (otherId ? "patient" : "frame of reference") + " than the CT " +
                      ct.source + " (their " + ids + " differ); choose the right files, or accept it with --accept other-patient.");
   }

@@ -326,13 +326,3 @@ TEST_F(ModelViewTest, AMovedWindowStillDraws) {
 
 }  // namespace
 }  // namespace glisson
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  if (GTEST_FLAG_GET(list_tests)) {
-    return RUN_ALL_TESTS();
-  }
-  glisson::VtkWidget::prepareSurfaceFormat();
-  const QApplication application(argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -121,13 +121,3 @@ TEST(SampleSliceTest, SlicesShowTheLiverAndRepaintQuicklyWhileThePlaneMoves) {
 
 }  // namespace
 }  // namespace glisson
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  if (GTEST_FLAG_GET(list_tests)) {
-    return RUN_ALL_TESTS();
-  }
-  glisson::VtkWidget::prepareSurfaceFormat();
-  const QApplication application(argc, argv);
-  return RUN_ALL_TESTS();
-}

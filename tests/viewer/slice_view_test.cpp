@@ -445,12 +445,3 @@ TEST_F(SliceInteractionTest, APlaneIsDrawnAndRemoved) {
 
 }  // namespace
 }  // namespace glisson
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  if (GTEST_FLAG_GET(list_tests)) {
-    return RUN_ALL_TESTS();
-  }
-  const QApplication application(argc, argv);
-  return RUN_ALL_TESTS();
-}

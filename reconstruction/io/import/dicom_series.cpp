@@ -73,7 +73,12 @@ void requireOneScale(const std::vector<DicomSlice>& slices, std::vector<std::str
   std::ranges::transform(slices, slopes.begin(), &DicomSlice::slope);
   std::ranges::sort(slopes);
   const double usual = slopes[slopes.size() / 2];
+  const int complete = std::ranges::max(slices, {}, &DicomSlice::rescaleValues).rescaleValues;
   for (const DicomSlice& slice : slices) {
+    if (slice.rescaleValues < complete) {
+      throw InputError(slice.path.string() + " lacks a rescale slope or intercept that its series has, so its Hounsfield units " +
+                       "would be wrong; copy or export the series again.");
+    }
     const double factor = slice.slope / usual;
     if (!(factor >= 1 / kMostFactor && factor <= kMostFactor)) {
       throw InputError(slice.path.string() + " has a rescale slope of " + formatExact(slice.slope) + " where its series has " +

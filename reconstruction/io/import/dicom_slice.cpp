@@ -110,6 +110,7 @@ void readCoding(DcmItem& data, DicomSlice& slice) {
       refuse(slice.path, "has a rescale slope or intercept that is not a usable number");
     }
     *target = *value;
+    ++slice.rescaleValues;
   }
 }
 

@@ -42,6 +42,7 @@ struct DicomSlice {
   bool isSigned = false;
   double slope = 1;
   double intercept = 0;
+  int rescaleValues = 0;  ///< how many of slope and intercept the header has
   int frames = 1;
   int samples = 1;
   std::string photometric;

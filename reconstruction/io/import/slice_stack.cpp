@@ -62,9 +62,11 @@ std::string dropDuplicates(const std::string& name, std::vector<DicomSlice>& sli
 std::string unevenText(const std::vector<DicomSlice>& slices, const std::vector<double>& distance, double step) {
   const double tolerance = toleranceOf(step);
   const auto steps = static_cast<double>(slices.size() - 1);
+  const double mean = distance.back() / steps;
   for (std::size_t n = 0; n + 1 < slices.size(); ++n) {
     const double gap = distance[n + 1] - distance[n];
-    if (std::abs(gap - step) > tolerance) {
+    // The mean is off where a slice is missing, the median where distances alternate.
+    if (std::min(std::abs(gap - step), std::abs(gap - mean)) > tolerance) {
       return "between " + nameOf(slices[n]) + " and " + nameOf(slices[n + 1]) + " there are " + formatNumber(gap, 3) +
              " mm instead of " + formatNumber(step, 3) + " mm (a missing or uneven slice)";
     }

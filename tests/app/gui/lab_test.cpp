@@ -27,13 +27,10 @@
 #include "app/gui/lab_side.h"
 #include "app/gui/lab_views.h"
 #include "app/gui/lab_workspace.h"
-#include "app/gui/main_window.h"
-#include "app/jobs/thread_job_runner.h"
+#include "main_window_test.h"
 #include "planning/case/structure_mask.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/models_csv.h"
-#include "small_case.h"
-#include "wait.h"
 
 namespace glisson {
 namespace {
@@ -41,34 +38,13 @@ namespace {
 using test::smallCase;
 using test::waitFor;
 
-class LabTest : public testing::Test {
+class LabTest : public test::MainWindowTest {
  protected:
-  QTemporaryDir folder;
-  Language language;
-  std::unique_ptr<ThreadJobRunner> jobs = std::make_unique<ThreadJobRunner>(2);
-  std::unique_ptr<MainWindow> window;
-
   void SetUp() override {
-    language.use("en");
-    window = std::make_unique<MainWindow>(*jobs, language, folder.filePath("recovery").toStdString());
-    window->resize(1024, 700);
-    window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-    emit window->opener().opened(smallCase(), nullptr, {});
-    ASSERT_TRUE(waitFor([this] { return jobs->idle() && window->builder().missing() == 0; }));
+    MainWindowTest::SetUp();
+    openSmall();
     click("workspaceCompare");
   }
-  void TearDown() override {
-    jobs.reset();
-    window.reset();
-  }
-  template <class T>
-  T* find(const QString& name) {
-    T* found = window->findChild<T*>(name);
-    EXPECT_NE(found, nullptr) << name.toStdString();
-    return found;
-  }
-  void click(const QString& name) { QTest::mouseClick(find<QWidget>(name), Qt::LeftButton); }
   LabWorkspace& lab() { return window->lab(); }
   LabExperiment& experiment() { return lab().experiment(); }
   const Evaluation& evaluation() { return experiment().evaluation(); }

@@ -18,14 +18,11 @@
 #include <set>
 
 #include "app/gui/language.h"
-#include "app/gui/main_window.h"
-#include "app/jobs/thread_job_runner.h"
+#include "main_window_test.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/rating_csv.h"
-#include "small_case.h"
 #include "tests/viewer/bodies.h"
 #include "tests/viewer/kept_picture.h"
-#include "wait.h"
 
 namespace glisson {
 namespace {
@@ -49,11 +46,10 @@ std::vector<RatedSurface> eightSurfaces() {
 
 constexpr int kShowings = 14;  // eight models, six of them twice
 
-class RatingWindowTest : public testing::Test {
+class RatingWindowTest : public test::DrivenWindow<RatingWindow> {
  protected:
   QTemporaryDir folder;
   Language language;
-  std::unique_ptr<RatingWindow> window;
 
   void SetUp() override {
     language.use("en");
@@ -66,13 +62,6 @@ class RatingWindowTest : public testing::Test {
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
   }
-  template <class T>
-  T* find(const QString& name) {
-    T* found = window->findChild<T*>(name);
-    EXPECT_NE(found, nullptr) << name.toStdString();
-    return found;
-  }
-  void click(const QString& name) { QTest::mouseClick(find<QWidget>(name), Qt::LeftButton); }
   void enter(const QString& rater) {
     find<QLineEdit>("ratingName")->setText(rater);
     click("ratingStart");

@@ -22,7 +22,6 @@
 #include <QSemaphore>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -30,17 +29,14 @@
 #include "app/gui/export_panel.h"
 #include "app/gui/job_bar.h"
 #include "app/gui/label_dialog.h"
-#include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/plane_placer.h"
 #include "app/gui/title_line.h"
 #include "app/gui/view_area.h"
-#include "app/jobs/thread_job_runner.h"
+#include "main_window_test.h"
 #include "planning/exchange/package.h"
 #include "planning/storage/case_file.h"
 #include "reconstruction/errors.h"
-#include "small_case.h"
-#include "wait.h"
 
 namespace glisson {
 namespace {
@@ -49,48 +45,14 @@ using test::smallCase;
 using test::smallCentre;
 using test::waitFor;
 
-class WindowTest : public testing::Test {
+class WindowTest : public test::MainWindowTest {
  protected:
-  QTemporaryDir folder;
-  Language language;
-  std::unique_ptr<ThreadJobRunner> jobs = std::make_unique<ThreadJobRunner>(2);
-  std::unique_ptr<MainWindow> window;
-
-  void SetUp() override {
-    language.use("en");
-    window = std::make_unique<MainWindow>(*jobs, language, folder.filePath("recovery").toStdString());
-    window->resize(1024, 700);
-    window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-  }
-  void TearDown() override {
-    jobs.reset();
-    window.reset();
-  }
-  template <class T>
-  T* find(const QString& name) {
-    T* found = window->findChild<T*>(name);
-    EXPECT_NE(found, nullptr) << name.toStdString();
-    return found;
-  }
-  void click(const QString& name) { QTest::mouseClick(find<QWidget>(name), Qt::LeftButton); }
   /// Qt posts the change to every window: it has arrived when the menu speaks the language.
   void changeLanguage(const QString& code) {
     window->setLanguage(code);
     const QString file = code == "de" ? "&Datei" : "&File";
     ASSERT_TRUE(waitFor([&] { return find<QMenu>("menuFile")->menuAction()->text() == file; }));
     QTest::qWait(50);  // layouts settle in the event loop
-  }
-  Document& document() { return window->document(); }
-
-  /// Opens the small case by way of the opener's signal, as after reading, and waits for the whole model.
-  void openSmall() {
-    emit window->opener().opened(smallCase(), nullptr, {});
-    ASSERT_TRUE(settle());
-    ASSERT_EQ(window->builder().missing(), 0);
-  }
-  bool settle() {
-    return waitFor([this] { return jobs->idle() && document().freshness() == Freshness::All; });
   }
   void openSmallWithPlane() {
     openSmall();
@@ -139,6 +101,81 @@ TEST_F(WindowTest, AnOriginTypedInMovesThePlaneAndUndoNamesTheStep) {
   undo->trigger();
   EXPECT_NE(document().plane()->origin.x(), -30.5);
   EXPECT_EQ(undo->text(), "Undo: place plane");
+}
+
+TEST_F(WindowTest, TheKeyOfUndoTakesTheStepBackWhileTheNumberFieldStillHasTheFocus) {
+  openSmallWithPlane();
+  const ResectionPlane placed = *document().plane();
+  auto* field = find<QDoubleSpinBox>("originX");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "-30.5");
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);  // what is typed and not taken over is the field's to undo
+  EXPECT_EQ(*document().plane(), placed);
+  EXPECT_EQ(document().undoStack().count(), 1);
+  field->selectAll();
+  QTest::keyClicks(field, "-30.5");
+  QTest::keyClick(field, Qt::Key_Return);
+  ASSERT_EQ(document().plane()->origin.x(), -30.5);
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(*document().plane(), placed);
+  QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(document().plane()->origin.x(), -30.5);
+}
+
+TEST_F(WindowTest, H6TheCaseThatIsOpenIsNotOpenedOnceMoreReadOnly) {
+  openSmallWithPlane();
+  const QString path = folder.filePath("mine.glisson");
+  document().saveAs(path.toStdString());
+  ASSERT_TRUE(waitFor([&] { return document().isClean(); }));
+  window->opener().openPaths({path});
+  window->opener().openPaths({path});  // as a double click does
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(document().isReadOnly());
+  EXPECT_TRUE(find<MessageBar>("messageBar")->messages().isEmpty());
+  click("placePlane");
+  document().flush();
+  EXPECT_EQ(CaseFile::open(path.toStdString()).load().plans.front().resections.front().planes.front(), *document().plane());
+}
+
+TEST_F(WindowTest, ADoubleClickOnALastCaseOpensItOnceAndForWriting) {
+  const QString path = folder.filePath("mine.glisson");
+  CaseFile::create(path.toStdString(), smallCase());
+  for (int n = 0; n < 3; ++n) {
+    window->opener().openPaths({path});
+  }
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(document().isOpen());
+  EXPECT_FALSE(document().isReadOnly());
+}
+
+TEST_F(WindowTest, VolumesThatWereCancelledAreStartedAgainByPlacingAPlane) {
+  emit window->opener().opened(smallCase(), nullptr, {});
+  jobs->cancelAll();
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  ASSERT_FALSE(document().liverCentre().has_value());
+  click("workspacePlan");
+  auto* place = find<QPushButton>("placePlane");
+  ASSERT_TRUE(place->isEnabled());
+  click("placePlane");
+  ASSERT_TRUE(waitFor([this] { return document().liverCentre().has_value(); }));
+  click("placePlane");
+  EXPECT_TRUE(document().plane().has_value());
+}
+
+TEST_F(WindowTest, ACaseWithoutANameIsListedFirstAndAsNotSaved) {
+  CaseFile::create(folder.filePath("named.glisson").toStdString(), smallCase());
+  window->opener().openPaths({folder.filePath("named.glisson")});
+  ASSERT_TRUE(settle());
+  std::filesystem::create_directories(folder.filePath("recovery").toStdString());
+  CaseFile::create(folder.filePath("recovery/G-1.glisson").toStdString(), smallCase());
+  MainWindow next(*jobs, language, folder.filePath("recovery").toStdString());
+  auto* list = next.findChild<QListWidget*>("recentList");
+  ASSERT_NE(list, nullptr);
+  ASSERT_EQ(list->count(), 2);
+  EXPECT_TRUE(list->item(0)->text().startsWith("Not saved under a name: G-1, last changed "))
+      << list->item(0)->text().toStdString();
+  EXPECT_TRUE(list->item(1)->text().startsWith("named.glisson"));
 }
 
 TEST_F(WindowTest, AWholeNewNormalCanBeTypedFieldByField) {

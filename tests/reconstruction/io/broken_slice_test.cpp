@@ -242,6 +242,22 @@ TEST(BrokenSlice, H3ARescaleSlopeOfMoreThanTwiceOrLessThanHalfTheSeriesIsRefused
   EXPECT_EQ(ct.hounsfield[slice + 10], std::lround(1.5 * alike.hounsfield[slice + 10]));
 }
 
+TEST(BrokenSlice, H3ASliceWithoutTheRescaleValuesOfItsSeriesIsRefusedAndASeriesWithoutThemIsRead) {
+  const TemporaryFolder folder;
+  writeSeries(folder.path());
+  DicomOptions options = sliceAt(3);
+  options.rescaleIntercept = false;
+  writeSlice(folder.path(), nameOf(3), options);
+  const std::string message = ctRefusal(folder.path());
+  EXPECT_NE(message.find(nameOf(3) + " lacks a rescale slope or intercept"), std::string::npos) << message;
+  for (int k = 0; k < kSlices; ++k) {
+    options = sliceAt(k);
+    options.rescaleIntercept = false;
+    writeSlice(folder.path(), nameOf(k), options);
+  }
+  EXPECT_EQ(ctRefusal(folder.path()), "");
+}
+
 TEST(TwoSeries, TwoThatCouldEachBeTheOneAreRefusedNamingBothAndASliceChooses) {
   const TemporaryFolder folder;
   writeSeries(folder / "study/a", [](DicomOptions& o) { o.seriesUid = "1.2.3.10"; });

@@ -128,6 +128,9 @@ TEST(Dicom, ADeviationBelowTheToleranceIsNoFault) {
   const TemporaryFolder folder;
   writeCtSeries(folder.path(), {0, 2.03, 4, 5.98, 8});
   EXPECT_EQ(refusalOfCt(folder.path()), "");
+  const TemporaryFolder alternating;  // 0.045 mm off their mean each, though neighbours differ by twice as much
+  writeCtSeries(alternating.path(), {0, 2.045, 4, 6.045, 8});
+  EXPECT_EQ(refusalOfCt(alternating.path()), "");
   const TemporaryFolder other;
   writeCtSeries(other.path(), {0, 2.06, 4, 6, 8});
   EXPECT_NE(refusalOfCt(other.path()), "");

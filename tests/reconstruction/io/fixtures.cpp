@@ -315,7 +315,9 @@ Bytes dicomSlice(const DicomOptions& o, const Bytes& pixels) {
   shortNumber(file, 0x28, 0x101, o.bitsStored);
   shortNumber(file, 0x28, 0x102, o.bitsStored - 1);
   shortNumber(file, 0x28, 0x103, o.isSigned ? 1 : 0);
-  text(file, 0x28, 0x1052, "DS", ds(o.intercept));
+  if (o.rescaleIntercept) {
+    text(file, 0x28, 0x1052, "DS", ds(o.intercept));
+  }
   text(file, 0x28, 0x1053, "DS", orElse(o.slopeText, ds(o.slope)));
   element(file, 0x7FE0, 0x10, o.bits == 8 ? "OB" : "OW", pixels);
   return file;

@@ -109,6 +109,7 @@ struct DicomOptions {
   std::string positionText;  ///< these four stand in the header as they are, where they are not empty
   std::string orientationText;
   std::string pixelSpacingText;
+  bool rescaleIntercept = true;  ///< else the element is left out
   std::string slopeText;
   std::string sopClass = "1.2.840.10008.5.1.4.1.1.2";
 };

@@ -1,6 +1,9 @@
 // Broken and hostile files cost one sentence (hazard H9).
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -287,6 +290,32 @@ TEST(HostileInput, ACancelKillsTheChildWithin100MsAndLeavesNoFiles) {
   EXPECT_LT(std::chrono::steady_clock::now() - cancelled, std::chrono::milliseconds(100));
   EXPECT_TRUE(std::filesystem::is_empty(temporary.path()));
   unsetenv("TMPDIR");
+}
+
+TEST(HostileInput, WhatAKilledProgramLeftInTheTemporaryFolderGoesWithTheNextReading) {
+  const TemporaryFolder folder;
+  const TemporaryFolder temporary;
+  writeFile(folder / "a.nii", Bytes(10, 0));
+  const auto leave = [&](const char* name, std::chrono::minutes age) {
+    const std::filesystem::path left = temporary / name;
+    writeFile(left / "answer", Bytes(10, 0));
+    std::filesystem::last_write_time(left, std::filesystem::file_time_type::clock::now() - age);
+    return left;
+  };
+  const auto killed = leave("glisson-import-killed", std::chrono::minutes(5));
+  const auto young = leave("glisson-import-young", std::chrono::minutes(0));
+  const auto running = leave("glisson-import-running", std::chrono::minutes(5));
+  const auto foreign = leave("glisson-package", std::chrono::minutes(5));
+  const int lock = open(running.c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(flock(lock, LOCK_EX), 0);
+  setenv("TMPDIR", temporary.path().c_str(), 1);
+  EXPECT_THROW(readCt(folder / "a.nii"), InputError);
+  unsetenv("TMPDIR");
+  close(lock);
+  EXPECT_FALSE(std::filesystem::exists(killed));
+  for (const std::filesystem::path& stays : {young, running, foreign}) {
+    EXPECT_TRUE(std::filesystem::exists(stays / "answer")) << stays;
+  }
 }
 
 TEST(HostileInput, AMissingChildAndAMissingFileAreNamed) {

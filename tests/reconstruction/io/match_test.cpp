@@ -102,7 +102,9 @@ TEST(MatchToCt, H2AnotherPatientBlocksOnlyWhereBothIdsAreThere) {
   EXPECT_THROW(matchToCt(labels, ct), InputError);
   ReadOptions options;
   parseConsents("other-patient", options);
-  EXPECT_NO_THROW(matchToCt(labels, ct, options));
+  const std::vector<std::string> notes = matchToCt(labels, ct, options).notes;
+  ASSERT_EQ(notes.size(), 1U);  // what was accepted is not forgotten
+  EXPECT_EQ(notes[0], "Labels of another patient than the CT's were taken with consent (their PatientID differ).");
   ct.identity.patientId = "A";
   EXPECT_TRUE(matchToCt(labels, ct).notes.empty());
   ct.identity.frameOfReferenceUid = "1";
