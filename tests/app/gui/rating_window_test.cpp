@@ -22,6 +22,7 @@
 #include "app/jobs/thread_job_runner.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/rating_csv.h"
+#include "reconstruction/evaluation/rating_tests_csv.h"
 #include "small_case.h"
 #include "tests/viewer/bodies.h"
 #include "tests/viewer/kept_picture.h"
@@ -54,6 +55,7 @@ class RatingWindowTest : public testing::Test {
   QTemporaryDir folder;
   Language language;
   std::unique_ptr<RatingWindow> window;
+  Structure structure{.kind = StructureKind::Liver};
 
   void SetUp() override {
     language.use("en");
@@ -61,7 +63,8 @@ class RatingWindowTest : public testing::Test {
   }
   void open(std::vector<RatedSurface> surfaces, const QString& place = {}) {
     window.reset();
-    window = std::make_unique<RatingWindow>(std::move(surfaces), place.isEmpty() ? folder.filePath("ratings") : place, nullptr);
+    window = std::make_unique<RatingWindow>(std::move(surfaces), structure, place.isEmpty() ? folder.filePath("ratings") : place,
+                                            nullptr);
     window->setAttribute(Qt::WA_DeleteOnClose, false);
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
@@ -334,6 +337,16 @@ TEST_F(RatingWindowTest, ResultsTellBothTestsWithNumbersInTheLanguageAndAreSaved
   QFile copy(folder.filePath("copy.csv"));
   ASSERT_TRUE(copy.open(QIODevice::ReadOnly));
   EXPECT_EQ(ratingSessionOfCsv(copy.readAll().toStdString(), "copy"), *window->session());
+  QFile tests(folder.filePath("copy-tests.csv"));
+  ASSERT_TRUE(tests.open(QIODevice::ReadOnly));
+  EXPECT_EQ(tests.readAll().toStdString(), ratingTestsCsv(ratingResults(*window->session())));
+}
+
+TEST_F(RatingWindowTest, TheQuestionNamesTheStructure) {
+  structure = {.name = "portalvein", .kind = StructureKind::PortalVein};
+  open(eightSurfaces(), folder.filePath("vein"));
+  EXPECT_EQ(find<QPlainTextEdit>("ratingQuestion")->toPlainText(),
+            "Evaluate the quality of the virtual models (portalvein) for their use in resection planning and surgery guidance.");
 }
 
 TEST_F(RatingWindowTest, NoTextIsCutOffInAnyLanguageAtTheLeastSize) {
