@@ -48,6 +48,13 @@ std::vector<RatedSurface> eightSurfaces() {
   return surfaces;
 }
 
+Structure structureOf(StructureKind kind, const std::string& name) {
+  Structure made;
+  made.kind = kind;
+  made.name = name;
+  return made;
+}
+
 constexpr int kShowings = 14;  // eight models, six of them twice
 
 class RatingWindowTest : public testing::Test {
@@ -55,7 +62,7 @@ class RatingWindowTest : public testing::Test {
   QTemporaryDir folder;
   Language language;
   std::unique_ptr<RatingWindow> window;
-  Structure structure{.kind = StructureKind::Liver};
+  Structure rated = structureOf(StructureKind::Liver, "");
 
   void SetUp() override {
     language.use("en");
@@ -63,8 +70,8 @@ class RatingWindowTest : public testing::Test {
   }
   void open(std::vector<RatedSurface> surfaces, const QString& place = {}) {
     window.reset();
-    window = std::make_unique<RatingWindow>(std::move(surfaces), structure, place.isEmpty() ? folder.filePath("ratings") : place,
-                                            nullptr);
+    window =
+        std::make_unique<RatingWindow>(std::move(surfaces), rated, place.isEmpty() ? folder.filePath("ratings") : place, nullptr);
     window->setAttribute(Qt::WA_DeleteOnClose, false);
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
@@ -343,7 +350,7 @@ TEST_F(RatingWindowTest, ResultsTellBothTestsWithNumbersInTheLanguageAndAreSaved
 }
 
 TEST_F(RatingWindowTest, TheQuestionNamesTheStructure) {
-  structure = {.name = "portalvein", .kind = StructureKind::PortalVein};
+  rated = structureOf(StructureKind::PortalVein, "portalvein");
   open(eightSurfaces(), folder.filePath("vein"));
   EXPECT_EQ(find<QPlainTextEdit>("ratingQuestion")->toPlainText(),
             "Evaluate the quality of the virtual models (portalvein) for their use in resection planning and surgery guidance.");
