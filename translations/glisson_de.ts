@@ -4885,8 +4885,8 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>Gutachter, die fertig sind: %1. Median der Zeit je Urteil: %2 s.</translation>
     </message>
     <message>
-        <source>Writes the ratings, and beside them NAME-tests.csv with the numbers of all tests.</source>
-        <translation>Schreibt die Beurteilungen und daneben NAME-tests.csv mit den Zahlen aller Tests.</translation>
+        <source>Writes the ratings, and in a file beside them the numbers of all tests.</source>
+        <translation>Schreibt die Beurteilungen und in eine Datei daneben die Zahlen aller Tests.</translation>
     </message>
 </context>
 <context>
