@@ -3445,6 +3445,14 @@
         <source>on the front</source>
         <translation>auf der Front</translation>
     </message>
+    <message>
+        <source>slider&apos;s model, not scored</source>
+        <translation>Modell des Reglers, nicht bewertet</translation>
+    </message>
+    <message>
+        <source>of the slider: no part of scores and fronts</source>
+        <translation>vom Regler: nicht Teil von Bewertungen und Fronten</translation>
+    </message>
 </context>
 <context>
     <name>glisson::LabSetup</name>
@@ -3572,6 +3580,14 @@
         <source>Every measure of every model</source>
         <translation>Alle Maße aller Modelle</translation>
     </message>
+    <message>
+        <source>Blind rating...</source>
+        <translation>Blinde Beurteilung...</translation>
+    </message>
+    <message>
+        <source>Makes models of this structure by PSR and MCSD and shows them to raters one at a time, without names.</source>
+        <translation>Erzeugt Modelle dieser Struktur mit PSR und MCSD und zeigt sie einzeln und ohne Namen zur Beurteilung.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::LabSide</name>
@@ -3651,6 +3667,10 @@
     <message>
         <source>Defects: %1</source>
         <translation>Defekte: %1</translation>
+    </message>
+    <message>
+        <source>%1, its errors are being measured ...</source>
+        <translation>%1, Fehler werden gemessen ...</translation>
     </message>
 </context>
 <context>
@@ -4656,6 +4676,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>Raters who have finished: %1. Median time for a rating: %2 s.</source>
         <translation>Gutachter, die fertig sind: %1. Median der Zeit je Urteil: %2 s.</translation>
     </message>
+    <message>
+        <source>Writes the ratings, and in a file beside them the numbers of all tests.</source>
+        <translation>Schreibt die Beurteilungen und in eine Datei daneben die Zahlen aller Tests.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::RatingWindow</name>
@@ -4754,6 +4778,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Results are shown after the last model.</source>
         <translation>Die Ergebnisse erscheinen nach dem letzten Modell.</translation>
+    </message>
+    <message>
+        <source>Evaluate the quality of the virtual models (%1) for their use in resection planning and surgery guidance.</source>
+        <translation>Beurteilen Sie die Qualität der virtuellen Modelle (%1) für ihren Einsatz in der Resektionsplanung und zur Führung im Eingriff.</translation>
     </message>
 </context>
 <context>
@@ -5102,6 +5130,10 @@ L %2</translation>
     <message>
         <source>Sagittal slices</source>
         <translation>Sagittale Schichten</translation>
+    </message>
+    <message>
+        <source>voxels</source>
+        <translation>Voxel</translation>
     </message>
 </context>
 <context>

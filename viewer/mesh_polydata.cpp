@@ -9,6 +9,7 @@
 #include <vtkTypeInt32Array.h>
 
 #include <Eigen/Geometry>
+#include <span>
 
 #include "reconstruction/parallel.h"
 #include "viewer/clustering.h"
@@ -85,30 +86,56 @@ vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceMesh& mesh) {
   return poly;
 }
 
+namespace {
+
+/// Leaves null what is the surface itself.
+void makeDetail(DisplayMesh& made, Detail detail) {
+  const SurfaceMesh& mesh = made.source->mesh;
+  const std::size_t triangles = mesh.triangles.size();
+  vtkSmartPointer<vtkPolyData>& poly = made.polys[static_cast<std::size_t>(detail)];
+  if (detail == Detail::Full) {
+    poly = toPolyData(mesh);
+  } else if (detail == Detail::Coarse) {
+    made.coarse = clustered(mesh, kCoarseTriangles);
+    poly = triangles > kCoarseTriangles ? toPolyData(made.coarse) : nullptr;
+  } else if (triangles > kReducedTriangles) {
+    poly = toPolyData(clustered(mesh, kReducedTriangles));
+  }
+}
+
+void makeDetails(DisplayMesh& made, std::span<const Detail> details) {
+  parallelFor(details.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      makeDetail(made, details[n]);
+    }
+  });
+  for (vtkSmartPointer<vtkPolyData>& poly : made.polys) {
+    poly = poly != nullptr ? poly : made.polys[static_cast<std::size_t>(Detail::Full)];
+    poly->ComputeBounds();  // else the first frame computes and keeps them
+  }
+}
+
+}  // namespace
+
 std::shared_ptr<const DisplayMesh> makeDisplayMesh(std::shared_ptr<const Reconstruction> reconstruction) {
   auto made = std::make_shared<DisplayMesh>();
   made->source = std::move(reconstruction);
-  const SurfaceMesh& mesh = made->source->mesh;
-  const std::size_t triangles = mesh.triangles.size();
-  const auto make = [&](std::size_t detail) {
-    if (detail == static_cast<std::size_t>(Detail::Full)) {
-      made->polys[detail] = toPolyData(mesh);
-    } else if (detail == static_cast<std::size_t>(Detail::Coarse)) {
-      made->coarse = clustered(mesh, kCoarseTriangles);
-      made->polys[detail] = triangles > kCoarseTriangles ? toPolyData(made->coarse) : nullptr;
-    } else if (triangles > kReducedTriangles) {
-      made->polys[detail] = toPolyData(clustered(mesh, kReducedTriangles));
-    }
-  };
-  parallelFor(kDetails, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t detail = begin; detail < end; ++detail) {
-      make(detail);
-    }
-  });
-  for (vtkSmartPointer<vtkPolyData>& poly : made->polys) {
-    poly = poly != nullptr ? poly : made->polys[static_cast<std::size_t>(Detail::Full)];
-    poly->ComputeBounds();  // else the first frame computes and keeps them
-  }
+  makeDetails(*made, std::array{Detail::Coarse, Detail::Reduced, Detail::Full});
+  return made;
+}
+
+std::shared_ptr<const DisplayMesh> makeBareDisplayMesh(std::shared_ptr<const Reconstruction> reconstruction) {
+  auto made = std::make_shared<DisplayMesh>();
+  made->source = std::move(reconstruction);
+  makeDetails(*made, std::array{Detail::Full});
+  return made;
+}
+
+std::shared_ptr<const DisplayMesh> withStandIns(const DisplayMesh& bare) {
+  auto made = std::make_shared<DisplayMesh>();
+  made->source = bare.source;
+  made->polys[static_cast<std::size_t>(Detail::Full)] = bare.poly(Detail::Full);
+  makeDetails(*made, std::array{Detail::Coarse, Detail::Reduced});
   return made;
 }
 

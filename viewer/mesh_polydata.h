@@ -18,7 +18,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceMesh& mesh);
 /// A small mesh is the same object in several details.
 struct DisplayMesh {
   std::shared_ptr<const Reconstruction> source;
-  SurfaceMesh coarse;  ///< stand-in while something moves
+  SurfaceMesh coarse;  ///< stand-in while something moves; empty where there are none yet
   std::array<vtkSmartPointer<vtkPolyData>, kDetails> polys;
 
   [[nodiscard]] vtkPolyData* poly(Detail detail) const { return polys[static_cast<std::size_t>(detail)]; }

@@ -52,8 +52,8 @@ std::vector<std::pair<SlicePoint, SlicePoint>> MeshSlices::outline(int slice) co
     std::array<SlicePoint, 2> ends;
     std::size_t count = 0;
     for (std::size_t e = 0; e < 3 && count < 2; ++e) {
-      const std::uint32_t a = triangle[e];
-      const std::uint32_t b = triangle[(e + 1) % 3];
+      // from the lower number to the higher one: the triangle beyond the edge finds the same point to the last bit
+      const auto [a, b] = std::minmax({triangle[e], triangle[(e + 1) % 3]});
       if ((height_[a] >= at) != (height_[b] >= at)) {
         const double share = static_cast<double>(at - height_[a]) / static_cast<double>(height_[b] - height_[a]);
         ends[count++] = geometry_.toSlice(mesh.vertices[a] + share * (mesh.vertices[b] - mesh.vertices[a]));

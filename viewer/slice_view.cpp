@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/compared_outlines.h"
 #include "viewer/mesh_slices.h"
 #include "viewer/slice_outlines.h"
 #include "viewer/slice_painter.h"
@@ -21,6 +22,9 @@ namespace {
 constexpr double kMinZoom = 0.2;
 constexpr double kMaxZoom = 40.0;
 constexpr int kMargin = 4;  ///< pixels between the picture and the widget's border
+constexpr double kOutlineWidth = 1.4;
+
+QColor toColour(const Rgb& colour) { return {colour.r, colour.g, colour.b}; }
 
 /// The axes whose slices are seen as the vertical and the horizontal line of the crosshair.
 std::pair<SliceAxis, SliceAxis> otherAxes(SliceAxis axis) {
@@ -75,7 +79,7 @@ struct SliceView::Impl {
   Qt::MouseButton button = Qt::NoButton;
   bool levelling = false;
   QPointF last;
-  bool strongSurfaces = false;
+  bool compared = false;             ///< surfaces' outlines are
   std::vector<MeshSlices> surfaces;  ///< of the visible structures, as far as they are made ready
   QPixmap cache;                     ///< everything but crosshair, plane and texts; null: draw again
 
@@ -84,6 +88,7 @@ struct SliceView::Impl {
   void drawVoxels(QPainter& painter) const;
   void drawOutlines(QPainter& painter, const QTransform& transform) const;
   void drawSurfaces(QPainter& painter, const QTransform& transform) const;
+  void drawLegend(QPainter& painter) const;
   /// Null where it is not ready yet.
   [[nodiscard]] const MeshSlices* surfaceOf(const Structure& structure) const;
   /// Makes at most one more surface ready, so that the window answers in between; false where all are.
@@ -152,16 +157,36 @@ void SliceView::Impl::drawSurfaces(QPainter& painter, const QTransform& transfor
     return;
   }
   painter.setRenderHint(QPainter::Antialiasing);
+  std::size_t number = 0;
   for (const Structure& structure : model->structures) {
     const MeshSlices* surface = surfaceOf(structure);
+    number += structure.reconstruction ? 1 : 0;
     if (!structure.visible || surface == nullptr) {
       continue;
     }
-    const auto tone = [this](std::uint8_t value) { return strongSurfaces ? value : 255 - (255 - value) / 3; };
-    painter.setPen(
-        QPen(QColor(tone(structure.colour.r), tone(structure.colour.g), tone(structure.colour.b)), strongSurfaces ? 1.4 : 0.8));
+    if (compared) {
+      drawComparedOutline(painter, transform, surface->outline(slice), number - 1, toColour(structure.colour),
+                          QString::fromStdString(structure.id));
+      continue;
+    }
+    const auto tone = [](std::uint8_t value) { return 255 - (255 - value) / 3; };
+    painter.setPen(QPen(QColor(tone(structure.colour.r), tone(structure.colour.g), tone(structure.colour.b)), 0.8));
     drawSegments(painter, transform, surface->outline(slice));
   }
+}
+
+void SliceView::Impl::drawLegend(QPainter& painter) const {
+  std::vector<OutlineLegendRow> rows;
+  std::size_t number = 0;
+  for (const Structure& structure : model->structures) {
+    const QColor colour = toColour(structure.colour);
+    if (structure.reconstruction) {
+      rows.push_back({comparedPen(number++, colour), QString::fromStdString(structure.id), true});
+    } else if (structure.visible && structure.sourceIndex >= 0) {
+      rows.push_back({QPen(colour, kOutlineWidth), SliceView::tr("voxels")});
+    }
+  }
+  drawOutlineLegend(painter, view->size(), rows);
 }
 
 void SliceView::Impl::drawOutlines(QPainter& painter, const QTransform& transform) const {
@@ -178,7 +203,7 @@ void SliceView::Impl::drawOutlines(QPainter& painter, const QTransform& transfor
     const bool counted = structure.kind == StructureKind::Liver && liver != nullptr;
     const Mask& mask = counted ? liver->liver : *segmentation->structures[source].mask;
     const ImageGeometry& grid = counted ? liver->geometry : segmentation->geometry;
-    painter.setPen(QPen(QColor(structure.colour.r, structure.colour.g, structure.colour.b), 1.4));
+    painter.setPen(QPen(toColour(structure.colour), kOutlineWidth));
     drawSegments(painter, transform, outlineOf(mask, grid, *geometry, slice));
   }
 }
@@ -263,8 +288,8 @@ void SliceView::setModel(std::shared_ptr<const LiverModel> model) {
   }
 }
 
-void SliceView::setSurfacesStrong(bool strong) {
-  impl_->strongSurfaces = strong;
+void SliceView::setSurfacesCompared(bool compared) {
+  impl_->compared = compared;
   impl_->redraw();
 }
 
@@ -336,6 +361,9 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
       drawPlaneLine(painter, *d.geometry, d.slice, *d.plane, d.toWidget());
     }
     drawLetters(painter, *d.geometry, size(), d.drawTexts(painter));
+    if (d.compared && d.model) {
+      d.drawLegend(painter);
+    }
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.fillRect(QRect(0, 0, width(), 3), viewColour(d.axis));

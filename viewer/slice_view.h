@@ -32,8 +32,9 @@ class SliceView : public QWidget {
                   std::shared_ptr<const LiverVoxels> liver = nullptr);
   /// Visibility and colours of outlines come from the model's structures (by sourceIndex).
   void setModel(std::shared_ptr<const LiverModel> model);
-  /// Surfaces' outlines in the structures' full colours, for views that compare surfaces; thin and pale is the default.
-  void setSurfacesStrong(bool strong);
+  /// For views that compare surfaces: their outlines in the structures' full colours, each with a line style of its own and its
+  /// structure's id as its letter, and a legend. Thin and pale is the default.
+  void setSurfacesCompared(bool compared);
   /// The plane that is worked on, and the others of the plan.
   void setPlane(std::optional<ResectionPlane> plane, std::vector<ResectionPlane> others = {});
   /// mm LPS; steps to the slice that holds it. Emits no signal.

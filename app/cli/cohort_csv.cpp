@@ -95,6 +95,9 @@ std::vector<Column> allColumns(const GatheredCohort& cohort) {
       addNumbers(columns, name, model);
     }
   }
+  for (const OtherDistributions& other : cohort.statistics.others) {
+    addNumbers(columns, other.id + "_", [id = other.id](const PatientFigures& figures) { return figures.other(id); });
+  }
   addComparison(columns, "BestPsrAgainstMostSimilarMcsd", againstMostSimilar);
   addComparison(columns, "BestPsrAgainstBestMcsd", againstBestMcsd);
   addComparison(columns, "SimplifiedAgainstBestPsr", simplifiedAgainstPsr);
@@ -103,6 +106,11 @@ std::vector<Column> allColumns(const GatheredCohort& cohort) {
       {"failure", [](const GatheredPatient& patient) { return patient.outcome ? patient.outcome->failure : std::string(); }});
   for (const auto& [name, model] : kChosen) {
     columns.push_back(number(name + "Seconds", model, &ModelFigures::seconds));
+  }
+  for (const OtherDistributions& other : cohort.statistics.others) {
+    columns.push_back(number(
+        other.id + "_Seconds", [id = other.id](const PatientFigures& figures) { return figures.other(id); },
+        &ModelFigures::seconds));
   }
   return columns;
 }

@@ -49,7 +49,7 @@ class Report {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +
            "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + std::string(reportSheet()) +
            "</style>\n</head>\n<body>\n<main>\n<h1>" + escaped(title) + "</h1>\n" + facts() + cards() + missing() + depths() +
-           scores() + comparison() + chosen() + times() + notes() + "</main>\n</body>\n</html>\n";
+           scores() + comparison() + chosen() + others() + times() + notes() + "</main>\n</body>\n</html>\n";
   }
 
  private:
@@ -71,6 +71,7 @@ class Report {
   [[nodiscard]] std::string reports() const;
   [[nodiscard]] std::string comparison() const;
   [[nodiscard]] std::string chosen() const;
+  [[nodiscard]] std::string others() const;
   [[nodiscard]] std::string times() const;
   [[nodiscard]] std::string notes() const;
 
@@ -240,6 +241,29 @@ std::string Report::chosen() const {
       "As Table 3, mean and standard deviation over the patients. * A model of the third family, on the same scale; it takes "
       "no part in the comparison.",
       htmlTable(headings, {triangles, error, score}));
+}
+
+std::string Report::others() const {
+  if (statistics_.others.empty()) {
+    return {};
+  }
+  std::vector<TableRow> rows;
+  const auto add = [&](const std::string& heading, const ModelDistributions& models) {
+    rows.push_back({heading,
+                    {{ofPatients(models.score.patients, statistics_.patients)},
+                     {withSpread(models.score, 3)},
+                     {withSpread(models.meanErrorMm, 3)},
+                     {withSpread(models.triangles, 0)}}});
+  };
+  add("Best PSR", statistics_.bestPsr);
+  add("Best MCSD", statistics_.bestMcsd);
+  for (const OtherDistributions& other : statistics_.others) {
+    add(other.name, other.models);
+  }
+  return htmlSection("Other methods",
+                     "Mean and standard deviation over the patients that have the model, on each patient's scale of PSR and MCSD; "
+                     "they change neither it nor the best models. The best of the published ones stand above.",
+                     htmlTable({"", "Patients", "Objective score", "Mean error (mm)", "Triangles"}, rows));
 }
 
 std::string Report::times() const {

@@ -60,6 +60,10 @@ Json jsonOf(const PatientFigures& figures) {
     const Chosen& model = figures.*key.model;
     json[key.name] = model ? jsonOf(*model) : Json(nullptr);
   }
+  json["others"] = Json::array();
+  for (const ModelFigures& model : figures.others) {
+    json["others"].push_back(jsonOf(model));
+  }
   json["failedModels"] = figures.failures;
   return json;
 }
@@ -76,6 +80,9 @@ PatientFigures figuresOf(const Json& json) {
     if (!json.at(key.name).is_null()) {
       figures.*key.model = modelOf(json.at(key.name));
     }
+  }
+  for (const Json& model : json.at("others")) {
+    figures.others.push_back(modelOf(model));
   }
   figures.failures = json.at("failedModels").get<std::vector<std::string>>();
   return figures;

@@ -91,6 +91,12 @@ Json cohortJson(const GatheredCohort& cohort) {
   json["mostSimilarMcsd"] = jsonOf(statistics.mostSimilarMcsd);
   json["bestMcsd"] = jsonOf(statistics.bestMcsd);
   json["bestSimplified"] = jsonOf(statistics.bestSimplified);
+  json["others"] = Json::array();
+  for (const OtherDistributions& other : statistics.others) {
+    Json row{{"model", other.id}};
+    row.update(jsonOf(other.models));
+    json["others"].push_back(std::move(row));
+  }
   json["reductions"] = {{"mostSimilarMcsd", jsonOf(statistics.againstMostSimilar)},
                         {"bestMcsd", jsonOf(statistics.againstBestMcsd)},
                         {"simplified", jsonOf(statistics.simplifiedAgainstPsr)}};
@@ -99,6 +105,9 @@ Json cohortJson(const GatheredCohort& cohort) {
                      {"mostSimilarMcsd", jsonOf(statistics.mostSimilarMcsd.seconds)},
                      {"bestMcsd", jsonOf(statistics.bestMcsd.seconds)},
                      {"bestSimplified", jsonOf(statistics.bestSimplified.seconds)}};
+  for (const OtherDistributions& other : statistics.others) {
+    json["seconds"][other.id] = jsonOf(other.models.seconds);
+  }
   return json;
 }
 
@@ -123,6 +132,9 @@ std::string cohortText(const GatheredCohort& cohort) {
   add("most similar MCSD", statistics.mostSimilarMcsd, "", "");
   add("best MCSD", statistics.bestMcsd, "", std::to_string(statistics.mcsdBestOfAll));
   add("best simplified", statistics.bestSimplified, "", "");
+  for (const OtherDistributions& other : statistics.others) {
+    add(other.name, other.models, "", "");
+  }
   text += alignedTable(rows);
   const Distribution& reduction = statistics.againstMostSimilar.fewerTrianglesPercent;
   if (reduction.patients > 0) {

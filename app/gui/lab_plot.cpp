@@ -58,6 +58,17 @@ QPen frontPen(bool published) {
                    : QPen(QColor(QLatin1String(lab::lookOf(ModelFamily::SimplifiedPsr).onDark)), 1.4, Qt::DashLine);
 }
 
+/// Of a model of the slider: a cross in an open circle.
+void drawOpenMark(QPainter& painter, const QPointF& at) {
+  constexpr double kRadius = 6;
+  const double arm = kRadius / std::sqrt(2.0);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(kInk, 1.6));
+  painter.drawEllipse(at, kRadius, kRadius);
+  painter.drawLine(at - QPointF(arm, arm), at + QPointF(arm, arm));
+  painter.drawLine(at - QPointF(arm, -arm), at + QPointF(arm, -arm));
+}
+
 int decimalsOf(double step) { return step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9)); }
 
 }  // namespace
@@ -72,12 +83,21 @@ LabPlot::LabPlot(QWidget* parent) : Translated<QWidget>(parent) {
 void LabPlot::setEvaluation(const Evaluation& evaluation) {
   evaluation_ = evaluation;
   chosen_ = {};  // places are those of the models before
+  beside_ = {};
   layOut();
 }
 
-void LabPlot::setChosen(const std::array<std::optional<std::size_t>, 2>& chosen) {
+void LabPlot::setChosen(const std::array<std::optional<std::size_t>, 2>& chosen,
+                        const std::array<std::optional<EvaluatedModel>, 2>& beside) {
+  const bool same = std::ranges::equal(beside_, beside, [](const auto& one, const auto& other) {
+    return one.has_value() == other.has_value() && (!one || one->recipe == other->recipe);
+  });
+  if (same && chosen_ == chosen) {
+    return;
+  }
   chosen_ = chosen;
-  update();
+  beside_ = beside;
+  layOut();
 }
 
 void LabPlot::setHint(const QString& hint) {
@@ -88,13 +108,24 @@ void LabPlot::setHint(const QString& hint) {
 void LabPlot::layOut() {
   const double row = fontMetrics().height();
   const double numbers = fontMetrics().horizontalAdvance(QStringLiteral("0,00"));
-  figure_ = lab::accuracyFigure(evaluation_, {numbers + 14, width() - 14.0, 2.0 * row + 8, height() - 2.0 * row - 8});
+  std::vector<ModelMeasures> beside;
+  for (const std::optional<EvaluatedModel>& model : beside_) {
+    if (model) {
+      beside.push_back(*model->measures);
+    }
+  }
+  figure_ = lab::accuracyFigure(evaluation_, {numbers + 14, width() - 14.0, 2.0 * row + 8, height() - 2.0 * row - 8}, beside);
   update();
 }
 
 std::optional<QPointF> LabPlot::pixelOf(std::size_t place) const {
   const lab::FigureMark* mark = figure_.markOf(place);
   return mark != nullptr ? std::optional(toPoint(mark->at)) : std::nullopt;
+}
+
+std::optional<QPointF> LabPlot::pixelBeside(std::size_t side) const {
+  const std::size_t number = side == 1 && beside_[0] ? 1 : 0;
+  return beside_[side] && number < figure_.beside.size() ? std::optional(toPoint(figure_.beside[number])) : std::nullopt;
 }
 
 const lab::FigureMark* LabPlot::markAt(const QPointF& pixel) const { return figure_.markAt({pixel.x(), pixel.y()}, kReach); }
@@ -147,6 +178,11 @@ void LabPlot::drawLegend(QPainter& painter) const {
     x += 15;
     write(labFamilyName(family));
   }
+  if (!figure_.beside.empty()) {
+    drawOpenMark(painter, {x + 6, y});
+    x += 18;
+    write(tr("slider's model, not scored"));
+  }
   for (const bool published : {true, false}) {
     if (!(published ? figure_.publishedFront : figure_.simplifiedFront).empty()) {
       painter.setPen(frontPen(published));
@@ -157,10 +193,33 @@ void LabPlot::drawLegend(QPainter& painter) const {
   }
 }
 
+void LabPlot::drawBeside(QPainter& painter) const {
+  for (const lab::Pixel& at : figure_.beside) {
+    drawOpenMark(painter, toPoint(at));
+  }
+}
+
+void LabPlot::drawLetters(QPainter& painter) const {
+  QFont bold = painter.font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  for (std::size_t side = 0; side < chosen_.size(); ++side) {
+    const std::optional<QPointF> at = chosen_[side] ? pixelOf(*chosen_[side]) : pixelBeside(side);
+    if (!at) {
+      continue;
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(kLabColours[side], 2.2));
+    painter.drawEllipse(*at, 10, 10);
+    const QPointF letter = *at + QPointF(side == 0 ? -22 : 12, -8);
+    painter.drawText(letter, QString(QChar(side == 0 ? 'A' : 'B')));
+  }
+}
+
 void LabPlot::draw(QPainter& painter) const {
   painter.fillRect(rect(), kGround);
   painter.setRenderHint(QPainter::Antialiasing);
-  if (figure_.marks.empty()) {
+  if (figure_.marks.empty() && figure_.beside.empty()) {
     painter.setPen(kFaint);
     painter.drawText(rect().adjusted(20, 10, -20, -10), Qt::AlignCenter | Qt::TextWordWrap, hint_);
     return;
@@ -172,20 +231,8 @@ void LabPlot::draw(QPainter& painter) const {
   for (const lab::FigureMark& mark : figure_.marks) {
     drawMark(painter, toPoint(mark.at), mark.look, mark.radius);
   }
-  QFont bold = painter.font();
-  bold.setBold(true);
-  painter.setFont(bold);
-  for (std::size_t side = 0; side < chosen_.size(); ++side) {
-    const std::optional<QPointF> at = chosen_[side] ? pixelOf(*chosen_[side]) : std::nullopt;
-    if (!at) {
-      continue;
-    }
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(kLabColours[side], 2.2));
-    painter.drawEllipse(*at, 10, 10);
-    const QPointF letter = *at + QPointF(side == 0 ? -22 : 12, -8);
-    painter.drawText(letter, QString(QChar(side == 0 ? 'A' : 'B')));
-  }
+  drawBeside(painter);
+  drawLetters(painter);
 }
 
 void LabPlot::paintEvent(QPaintEvent* /*event*/) {
@@ -218,9 +265,7 @@ void LabPlot::mouseMoveEvent(QMouseEvent* event) {
   setCursor(markAt(event->position()) != nullptr ? Qt::PointingHandCursor : Qt::ArrowCursor);
 }
 
-QString LabPlot::tooltipOf(std::size_t place) const {
-  const EvaluatedModel& model = evaluation_.models[place];
-  const std::optional<ModelScore>& score = evaluation_.scores[place];
+QString LabPlot::tooltipOf(const EvaluatedModel& model, const std::optional<ModelScore>& score) const {
   QStringList lines{QString::fromStdString(model.name()),
                     tr("%1 triangles").arg(numberText(static_cast<double>(model.measures->triangles), 0)),
                     tr("mean paper error %1 mm").arg(numberText(model.measures->paperErrorMm.mean, 3))};
@@ -236,8 +281,16 @@ QString LabPlot::tooltipOf(std::size_t place) const {
 bool LabPlot::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
+    const auto near = [&](std::size_t side) {
+      const std::optional<QPointF> at = pixelBeside(side);
+      return at && std::hypot(at->x() - help->pos().x(), at->y() - help->pos().y()) <= kReach;
+    };
+    const std::optional<EvaluatedModel>& beside = near(0) ? beside_[0] : beside_[1];
     if (const lab::FigureMark* mark = markAt(help->pos())) {
-      QToolTip::showText(help->globalPos(), tooltipOf(mark->place), this);
+      QToolTip::showText(help->globalPos(), tooltipOf(evaluation_.models[mark->place], evaluation_.scores[mark->place]), this);
+    } else if (near(0) || near(1)) {
+      QToolTip::showText(help->globalPos(), tooltipOf(*beside, {}) + '\n' + tr("of the slider: no part of scores and fronts"),
+                         this);
     } else {
       QToolTip::hideText();
     }

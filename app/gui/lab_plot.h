@@ -21,12 +21,15 @@ class LabPlot : public Translated<QWidget> {
 
   /// Shown until the next call; no larger than a few kB for each model.
   void setEvaluation(const Evaluation& evaluation);
-  /// Places of A and B.
-  void setChosen(const std::array<std::optional<std::size_t>, 2>& chosen);
+  /// Places of A and B. A side that has none may have a model of the slider in `beside`: drawn open, no part of scores and fronts.
+  void setChosen(const std::array<std::optional<std::size_t>, 2>& chosen,
+                 const std::array<std::optional<EvaluatedModel>, 2>& beside = {});
   /// What to do, while there are no models.
   void setHint(const QString& hint);
   /// Where a model is drawn, logical pixels.
   [[nodiscard]] std::optional<QPointF> pixelOf(std::size_t place) const;
+  /// Likewise of the slider's model on that side.
+  [[nodiscard]] std::optional<QPointF> pixelBeside(std::size_t side) const;
   /// The plot alone, twice as fine as on the screen.
   [[nodiscard]] QImage picture() const;
   [[nodiscard]] QSize sizeHint() const override { return {640, 260}; }
@@ -49,11 +52,14 @@ class LabPlot : public Translated<QWidget> {
   void drawAxes(QPainter& painter) const;
   void drawLegend(QPainter& painter) const;
   [[nodiscard]] const lab::FigureMark* markAt(const QPointF& pixel) const;
-  [[nodiscard]] QString tooltipOf(std::size_t place) const;
+  void drawBeside(QPainter& painter) const;
+  void drawLetters(QPainter& painter) const;
+  [[nodiscard]] QString tooltipOf(const EvaluatedModel& model, const std::optional<ModelScore>& score) const;
 
   Evaluation evaluation_;
   lab::AccuracyFigure figure_;
   std::array<std::optional<std::size_t>, 2> chosen_;
+  std::array<std::optional<EvaluatedModel>, 2> beside_;
   QString hint_;
 };
 

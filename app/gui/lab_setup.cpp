@@ -37,6 +37,7 @@ LabSetup::LabSetup(Document& document, LabExperiment& experiment, QWidget* paren
       scale_(new QComboBox(this)),
       compare_(new QPushButton(this)),
       cancel_(new QPushButton(this)),
+      rate_(new QPushButton(this)),
       progress_(new QLabel(this)),
       depthTitle_(new QLabel(this)),
       depth_(new QSlider(Qt::Horizontal, this)),
@@ -64,6 +65,7 @@ void LabSetup::build() {
   scale_->setObjectName("labScale");
   compare_->setObjectName("labCompare");
   cancel_->setObjectName("labCancel");
+  rate_->setObjectName("labRate");
   progress_->setObjectName("labProgress");
   depth_->setObjectName("labDepth");
   depthA_->setObjectName("labDepthA");
@@ -105,6 +107,7 @@ void LabSetup::build() {
   column->addWidget(compare_);
   column->addWidget(cancel_);
   column->addWidget(progress_);
+  column->addWidget(rate_);
   column->addSpacing(6);
   column->addWidget(depthTitle_);
   column->addWidget(depth_);
@@ -132,6 +135,7 @@ void LabSetup::connectParts() {
   }
   connect(compare_, &QPushButton::clicked, this, &LabSetup::compareRequested);
   connect(cancel_, &QPushButton::clicked, &experiment_, &LabExperiment::cancel);
+  connect(rate_, &QPushButton::clicked, this, &LabSetup::ratingRequested);
   connect(depth_, &QSlider::valueChanged, this, [this](int depth) {
     refresh();
     emit depthChosen(depth);
@@ -158,6 +162,7 @@ void LabSetup::retranslateUi() {
   scale_->setToolTip(tr("The cube that PSR solves in, in sizes of the structure; the authors' base code has 1.25."));
   compare_->setText(tr("Compare methods"));
   cancel_->setText(tr("Cancel"));
+  rate_->setText(tr("Blind rating..."));
   depth_->setToolTip(tr("The PSR model of this depth is made and shown at once."));
   depthA_->setToolTip(tr("The slider's model becomes A."));
   depthB_->setToolTip(tr("The slider's model becomes B."));
@@ -237,6 +242,11 @@ void LabSetup::refresh() {
                                         : reason);
   cancel_->setEnabled(experiment_.running());
   cancel_->setToolTip(experiment_.running() ? tr("Models that are done stay.") : tr("Nothing is being compared."));
+  rate_->setEnabled(structure() != nullptr);
+  rate_->setToolTip(
+      structure() != nullptr
+          ? tr("Makes models of this structure by PSR and MCSD and shows them to raters one at a time, without names.")
+          : tr("Open a case first."));
   const std::size_t there = experiment_.evaluation().models.size();
   const std::size_t failed = experiment_.evaluation().failed();
   QString text = tr("%1 of %2 models").arg(there).arg(allRecipes().size());

@@ -35,6 +35,7 @@ class LabSetup : public Translated<QWidget> {
  signals:
   void subjectChanged();  ///< another structure, sampling or scale
   void compareRequested();
+  void ratingRequested();
   void depthChosen(int depth);
   void csvRequested();
   void pngRequested();
@@ -62,6 +63,7 @@ class LabSetup : public Translated<QWidget> {
   QComboBox* scale_;
   QPushButton* compare_;
   QPushButton* cancel_;
+  QPushButton* rate_;
   QLabel* progress_;
   QLabel* depthTitle_;
   QSlider* depth_;

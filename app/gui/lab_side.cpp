@@ -6,6 +6,13 @@
 
 namespace glisson {
 
+namespace {
+/// Most models of the slider are there before: a notice that comes and goes would take the time that they need.
+constexpr int kLateMs = 300;
+/// A deeper PSR model, or one of another family, takes long enough to be seen among the jobs.
+constexpr int kDeepestQuick = 8;
+}  // namespace
+
 struct LabSide::Made {
   EvaluatedModel model;
   std::shared_ptr<const Reconstruction> reconstruction;
@@ -13,10 +20,17 @@ struct LabSide::Made {
 };
 
 LabSide::LabSide(JobRunner& jobs, QString letter, QObject* parent) : QObject(parent), jobs_(jobs), letter_(std::move(letter)) {
+  late_.setSingleShot(true);
+  late_.setInterval(kLateMs);
+  connect(&late_, &QTimer::timeout, this, &LabSide::changed);
   connect(&jobs_, &JobRunner::jobEnded, this, [this](JobId id, JobState state) {
     if (id == running_[0] && state != JobState::Done) {
       recipe_.reset();  // so that it can be asked for again
       pending_ = false;
+      late_.stop();
+      emit changed();
+    } else if (state != JobState::Done && (id == running_[1] || id == running_[2])) {
+      running_[id == running_[1] ? 1 : 2] = 0;
       emit changed();
     }
   });
@@ -34,6 +48,7 @@ void LabSide::setSubject(std::shared_ptr<const lab::LabSubject> subject, const E
   p95Mm_.reset();
   model_.reset();
   pending_ = false;
+  late_.stop();
   emit changed();
 }
 
@@ -53,26 +68,41 @@ void LabSide::show(const ModelRecipe& recipe, bool measured) {
   for (JobId& job : running_) {
     jobs_.cancel(std::exchange(job, 0));
   }
+  JobRequest making = request("surface", QStringLiteral("%1"));
+  making.quiet = recipe.family == ModelFamily::Psr && recipe.depth <= kDeepestQuick;
   running_[0] = submitFor<Made>(
-      jobs_, request("surface", QStringLiteral("%1")),
+      jobs_, std::move(making),
       [subject = subject_, options = options_, recipe](const ExecutionContext& context) {
-        ModelMesh mesh = makeModelMesh(subject->mask(), subject->geometry(), recipe, options, context);
-        auto reconstruction = std::make_shared<Reconstruction>();
-        reconstruction->mesh = std::move(mesh.mesh);
-        Made made;
-        made.model.recipe = recipe;
-        made.model.usedDepth = mesh.usedDepth;
-        made.model.seconds = mesh.seconds;
-        made.reconstruction = std::move(reconstruction);
-        made.mesh = makeDisplayMesh(made.reconstruction);
-        return made;
+        return make(*subject, recipe, options, context);
       },
       [this, measured](const Made& made) { take(made, measured); });
-  emit changed();
+  late_.start();
+}
+
+LabSide::Made LabSide::make(const lab::LabSubject& subject, const ModelRecipe& recipe, const ExperimentOptions& options,
+                            const ExecutionContext& context) {
+  ModelMesh mesh;
+  if (recipe.family == ModelFamily::Psr || recipe.family == ModelFamily::SimplifiedPsr) {
+    const lab::LabSamples& samples = subject.samples(options.sampling, context);
+    mesh = makeModelMesh(samples.points, subject.geometry(), recipe, options, context);
+    mesh.seconds.sample += samples.seconds;  // the time of PSR holds that of the points, whoever took them
+  } else {
+    mesh = makeModelMesh(subject.mask(), subject.geometry(), recipe, options, context);
+  }
+  auto reconstruction = std::make_shared<Reconstruction>();
+  reconstruction->mesh = std::move(mesh.mesh);
+  Made made;
+  made.model.recipe = recipe;
+  made.model.usedDepth = mesh.usedDepth;
+  made.model.seconds = mesh.seconds;
+  made.reconstruction = std::move(reconstruction);
+  made.mesh = makeBareDisplayMesh(made.reconstruction);
+  return made;
 }
 
 void LabSide::take(const Made& made, bool measured) {
   pending_ = false;
+  late_.stop();
   model_ = made.model;
   reconstruction_ = made.reconstruction;
   surface_ = {made.mesh, nullptr};
@@ -86,7 +116,7 @@ void LabSide::take(const Made& made, bool measured) {
 
 void LabSide::colour() {
   struct Coloured {
-    std::shared_ptr<const SurfaceErrors> errors;
+    ShownSurface surface;
     double p95Mm = 0;
   };
   running_[1] = submitFor<Coloured>(
@@ -94,8 +124,9 @@ void LabSide::colour() {
       [subject = subject_, mesh = surface_.mesh](const ExecutionContext& context) {
         const EvaluationReference& reference = subject->reference(context);
         Coloured made;
+        made.surface.mesh = withStandIns(*mesh);
         std::optional<double> p95;  // of the surface's own vertices, which come first
-        made.errors = makeSurfaceErrors(*mesh, [&](std::span<const Vec3> points) {
+        made.surface.errors = makeSurfaceErrors(*made.surface.mesh, [&](std::span<const Vec3> points) {
           std::vector<double> distances = reference.distancesToVoxels(points, context);
           if (!p95) {
             p95 = summarise(distances).p95;
@@ -106,7 +137,8 @@ void LabSide::colour() {
         return made;
       },
       [this](const Coloured& made) {
-        surface_.errors = made.errors;
+        running_[1] = 0;
+        surface_ = made.surface;
         p95Mm_ = made.p95Mm;
         emit changed();
       });
@@ -121,6 +153,7 @@ void LabSide::measure() {
       },
       [this](const ModelMeasures& measures) {
         model_->measures = measures;
+        running_[2] = 0;
         emit changed();
       });
 }

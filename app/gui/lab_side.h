@@ -4,6 +4,7 @@
 // only.
 
 #include <QObject>
+#include <QTimer>
 #include <array>
 #include <memory>
 #include <optional>
@@ -35,8 +36,10 @@ class LabSide : public QObject {
   [[nodiscard]] std::optional<double> p95Mm() const { return p95Mm_; }
   /// What was made and measured here: without measures as long as they are computed, or known from elsewhere.
   [[nodiscard]] const std::optional<EvaluatedModel>& model() const { return model_; }
-  /// The surface shown is not yet that of the recipe.
+  /// The surface shown is not yet that of the recipe. Told by changed() only where it lasts: what stands there stays until then.
   [[nodiscard]] bool pending() const { return pending_; }
+  /// The error colours of the surface, or its numbers, are being computed.
+  [[nodiscard]] bool unfinished() const { return running_[1] != 0 || running_[2] != 0; }
 
  signals:
   void changed();
@@ -44,6 +47,9 @@ class LabSide : public QObject {
 
  private:
   struct Made;
+  /// On a worker.
+  static Made make(const lab::LabSubject& subject, const ModelRecipe& recipe, const ExperimentOptions& options,
+                   const ExecutionContext& context);
   void take(const Made& made, bool measured);
   void colour();
   void measure();
@@ -59,6 +65,7 @@ class LabSide : public QObject {
   std::optional<double> p95Mm_;
   std::optional<EvaluatedModel> model_;
   bool pending_ = false;
+  QTimer late_;                     ///< until a model that is being made is worth telling
   std::array<JobId, 3> running_{};  ///< surface, colours, numbers
 };
 

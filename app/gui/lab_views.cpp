@@ -113,7 +113,7 @@ void LabViews::build() {
   for (const SliceAxis axis : {SliceAxis::Axial, SliceAxis::Coronal, SliceAxis::Sagittal}) {
     auto* slice = new SliceView(axis, slices);
     slice->setObjectName("lab_" + slice->objectName());
-    slice->setSurfacesStrong(true);
+    slice->setSurfacesCompared(true);
     slices_[static_cast<std::size_t>(axis)] = slice;
     sliceRow->addWidget(slice, 1);
   }
@@ -234,6 +234,7 @@ void LabViews::refreshNames() {
       text = tr("%1 is being made ...").arg(QString::fromStdString(modelName(*shown.recipe())));
     } else {
       text = QString::fromStdString(shown.model() ? shown.model()->name() : modelName(*shown.recipe()));
+      text = shown.unfinished() ? tr("%1, its errors are being measured ...").arg(text) : text;
     }
     names_[side]->setText(badgeText(side, shown.letter()) + QStringLiteral("&nbsp;&nbsp;<b>%1</b>").arg(text.toHtmlEscaped()));
   }

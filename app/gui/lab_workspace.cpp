@@ -76,6 +76,11 @@ void LabWorkspace::connectParts() {
       experiment_->run(setup_->families(), tr("Comparing methods: %1").arg(structureName(*structure)));
     }
   });
+  connect(setup_, &LabSetup::ratingRequested, this, [this] {
+    if (const Structure* structure = setup_->structure()) {
+      emit ratingRequested(*structure, setup_->options());
+    }
+  });
   connect(setup_, &LabSetup::depthChosen, this, &LabWorkspace::showDepth);
   connect(setup_, &LabSetup::csvRequested, this,
           [this] { save(tr("Table as CSV"), "models.csv", tr("CSV (*.csv)"), &LabWorkspace::writeCsv); });
@@ -143,6 +148,7 @@ void LabWorkspace::refreshNumbers() {
   const Evaluation& evaluation = experiment_->evaluation();
   const double voxelMl = experiment_->subject() ? experiment_->subject()->voxelVolumeMl() : 0;
   std::array<std::optional<std::size_t>, 2> chosen;
+  std::array<std::optional<EvaluatedModel>, 2> beside;
   std::array<LabRow, 2> rows;
   for (std::size_t side = 0; side < sides_.size(); ++side) {
     const LabSide& shown = *sides_[side];
@@ -155,9 +161,10 @@ void LabWorkspace::refreshNumbers() {
       rows[side] = {&evaluation.models[*chosen[side]], score ? &*score : nullptr, voxelMl};
     } else if (shown.model()) {
       rows[side] = {&*shown.model(), nullptr, voxelMl};
+      beside[side] = shown.model()->measures ? shown.model() : std::nullopt;
     }
   }
-  plot_->setChosen(chosen);
+  plot_->setChosen(chosen, beside);
   views_->setNumbers(rows);
 }
 

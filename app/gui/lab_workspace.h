@@ -7,6 +7,7 @@
 
 #include "app/gui/document.h"
 #include "app/gui/translated.h"
+#include "reconstruction/evaluation/recipe.h"
 
 class QTabWidget;
 
@@ -37,6 +38,8 @@ class LabWorkspace : public Translated<QWidget> {
  signals:
   void refused(const QString& sentence);  ///< in English
   void written(const QString& path);
+  /// A blind rating of models of this structure, made with these options.
+  void ratingRequested(const glisson::Structure& structure, const glisson::ExperimentOptions& options);
 
  protected:
   void retranslateUi() override;

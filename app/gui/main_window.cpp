@@ -111,6 +111,7 @@ void MainWindow::build() {
 void MainWindow::connectParts() {
   connect(workspaces_, &WorkspaceBar::chosen, this, &MainWindow::showWorkspace);
   connect(lab_, &LabWorkspace::refused, this, &MainWindow::complain);
+  connect(lab_, &LabWorkspace::ratingRequested, this, &MainWindow::rateModelsOf);
   connect(lab_, &LabWorkspace::written, this,
           [this](const QString& path) { jobBar_->tell(tr("Written: %1").arg(QDir::toNativeSeparators(path))); });
   connect(start_, &StartPage::sampleRequested, opener_, &CaseOpener::openSample);
@@ -193,8 +194,17 @@ void MainWindow::bend(bool shown, bool group) {
 }
 
 void MainWindow::rateModels() {
+  const auto& structures = document_->content().model->structures;
+  const auto parenchyma = std::ranges::find(structures, StructureKind::Liver, &Structure::kind);
+  if (parenchyma != structures.end()) {
+    rateModelsOf(*parenchyma, {});
+  }
+}
+
+void MainWindow::rateModelsOf(const Structure& structure, const ExperimentOptions& options) {
   const QString folder = QString::fromStdString((recoveryFolder_.parent_path() / "ratings").string());
-  startRating(jobs_, document_->content(), folder, *this, [this](const std::exception& error) { complain(messageOf(error)); });
+  startRating(jobs_, document_->content(), structure, options, folder, *this,
+              [this](const std::exception& error) { complain(messageOf(error)); });
 }
 
 void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& file) {

@@ -10,6 +10,7 @@
 #include "app/gui/model_builder.h"
 #include "app/gui/translated.h"
 #include "app/gui/workspace_bar.h"
+#include "reconstruction/evaluation/recipe.h"
 
 class QSplitter;
 class QStackedWidget;
@@ -60,6 +61,8 @@ class MainWindow : public Translated<QMainWindow> {
   void writeReport(const QString& path, bool withIdentity = false);
   /// Makes models of the case's parenchyma by both methods and opens the window in which they are rated.
   void rateModels();
+  /// The same of any structure, with options of its own.
+  void rateModelsOf(const Structure& structure, const ExperimentOptions& options);
   void showAbout();
   void showLeftPanel(bool shown);
   void showRightPanel(bool shown);

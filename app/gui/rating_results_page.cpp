@@ -131,6 +131,7 @@ void RatingResultsPage::retranslateUi() {
   }
   text_->setText(text);
   save_->setText(tr("Save CSV..."));
+  save_->setToolTip(tr("Writes the ratings, and in a file beside them the numbers of all tests."));
   back_->setText(tr("Back"));
 }
 

@@ -14,12 +14,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/model_builder.h"
 #include "app/gui/rating_results_page.h"
 #include "app/gui/sentences.h"
 #include "app/jobs/job_runner.h"
 #include "planning/exchange/atomic_file.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/rating_csv.h"
+#include "reconstruction/evaluation/rating_tests_csv.h"
 
 namespace glisson {
 
@@ -47,9 +49,10 @@ QString newFile(const QString& folder) {
 
 }  // namespace
 
-RatingWindow::RatingWindow(std::vector<RatedSurface> surfaces, QString folder, QWidget* parent)
+RatingWindow::RatingWindow(std::vector<RatedSurface> surfaces, Structure structure, QString folder, QWidget* parent)
     : Translated<QWidget>(parent, Qt::Window),
       surfaces_(std::move(surfaces)),
+      structure_(std::move(structure)),
       folder_(std::move(folder)),
       pages_(new QStackedWidget(this)),
       startPage_(makeStartPage()),
@@ -152,6 +155,15 @@ QString RatingWindow::headingText() const {
                           : tr("Thank you, %1: all ratings are kept.").arg(name);
 }
 
+/// The paper's, of another structure with its name.
+QString RatingWindow::usualQuestion() const {
+  if (structure_.kind == StructureKind::Liver) {
+    return tr("Evaluate the quality of the virtual models (parenchyma) for their use in resection planning and surgery guidance.");
+  }
+  return tr("Evaluate the quality of the virtual models (%1) for their use in resection planning and surgery guidance.")
+      .arg(structureName(structure_));
+}
+
 void RatingWindow::retranslateUi() {
   const std::size_t repeats = std::min(kPaperRepeats, surfaces_.size());
   const bool goesOn = raterGoesOn();
@@ -165,8 +177,7 @@ void RatingWindow::retranslateUi() {
   questionLabel_->setText(tr("Question"));
   if (questionIsDefault_ && !session_) {
     const QSignalBlocker blocker(question_);
-    question_->setPlainText(
-        tr("Evaluate the quality of the virtual models (parenchyma) for their use in resection planning and surgery guidance."));
+    question_->setPlainText(usualQuestion());
   }
   question_->setReadOnly(session_.has_value());
   nameLabel_->setText(tr("Name of the rater"));
@@ -303,9 +314,18 @@ void RatingWindow::chooseCopy() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("csv"));
   dialog->selectFile(QFileInfo(path_).fileName());
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& path) { attempt([&] { writeFileAtomically(path.toStdString(), ratingCsv(*session_)); }); });
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) { attempt([&] { saveCopy(path); }); });
   dialog->open();
+}
+
+void RatingWindow::saveCopy(const QString& path) const {
+  writeFileAtomically(path.toStdString(), ratingCsv(*session_));
+  writeFileAtomically(testsPathBeside(path).toStdString(), ratingTestsCsv(ratingResults(*session_)));
+}
+
+QString RatingWindow::testsPathBeside(const QString& path) {
+  const QFileInfo file(path);
+  return file.dir().filePath(file.completeBaseName() + QStringLiteral("-tests.csv"));
 }
 
 void RatingWindow::keep(const RatingSession& session) const { writeFileAtomically(path_.toStdString(), ratingCsv(session)); }

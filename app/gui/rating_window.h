@@ -24,8 +24,9 @@ class RatingResultsPage;
 class RatingWindow : public Translated<QWidget> {
   Q_OBJECT
  public:
-  /// `surfaces`: at least one, with ids of their own. `folder`: where sessions are kept; made where it is missing.
-  RatingWindow(std::vector<RatedSurface> surfaces, QString folder, QWidget* parent);
+  /// `surfaces`: at least one, with ids of their own, of `structure`, which the question names. `folder`: where sessions are kept;
+  /// made where it is missing.
+  RatingWindow(std::vector<RatedSurface> surfaces, Structure structure, QString folder, QWidget* parent);
 
   /// Nothing before the first rater has started; then it has at least one.
   [[nodiscard]] const std::optional<RatingSession>& session() const { return session_; }
@@ -33,6 +34,10 @@ class RatingWindow : public Translated<QWidget> {
   [[nodiscard]] const QString& path() const { return path_; }
   /// Goes on with the session of that file. Throws InputError where it holds none, or one of other models.
   void resume(const QString& path);
+  /// Writes the ratings to that file, and what the tests come to beside it. Throws InputError.
+  void saveCopy(const QString& path) const;
+  /// "A/B-tests.csv" of "A/B.csv".
+  static QString testsPathBeside(const QString& path);
 
  protected:
   void retranslateUi() override;
@@ -54,7 +59,10 @@ class RatingWindow : public Translated<QWidget> {
   /// Somebody has begun and is to go on.
   [[nodiscard]] bool raterGoesOn() const { return !another_ && session_ && session_->next().has_value(); }
 
+  [[nodiscard]] QString usualQuestion() const;
+
   std::vector<RatedSurface> surfaces_;  ///< by id, as in the study
+  Structure structure_;
   QString folder_;
   QString path_;
   std::optional<RatingSession> session_;

@@ -1,8 +1,9 @@
 #include "app/gui/start_rating.h"
 
 #include "app/gui/rating_window.h"
-#include "planning/case/liver_model.h"
+#include "planning/case/structure_mask.h"
 #include "reconstruction/evaluation/model_mesh.h"
+#include "reconstruction/text.h"
 
 namespace glisson {
 
@@ -20,35 +21,51 @@ std::vector<ModelRecipe> ratedRecipes() {
   return recipes;
 }
 
-std::vector<RatedSurface> makeSurfaces(const Case& content, const ExecutionContext& context) {
-  const Mask& mask = content.liver->liver;
-  const ImageGeometry& geometry = content.liver->geometry;
+/// Of the published options nothing is said, so that sessions of earlier versions go on.
+std::string idOf(const Case& content, const Structure& structure, const ModelRecipe& recipe, const ExperimentOptions& options) {
+  std::string id = content.code + "/";
+  id += structure.kind == StructureKind::Liver ? "" : structure.id + "/";
+  id += modelId(recipe);
+  id += options.sampling == Sampling::Unbiased ? "_unbiased" : "";
+  id += options.scale == ExperimentOptions().scale ? "" : "_scale" + formatExact(options.scale);
+  return id;
+}
+
+std::vector<RatedSurface> makeSurfaces(const Case& content, const Structure& structure, const ExperimentOptions& options,
+                                       const ExecutionContext& context) {
+  const Mask& mask = maskOf(content, structure);
+  const ImageGeometry& geometry = content.segmentation->geometry;
   const std::vector<ModelRecipe> recipes = ratedRecipes();
-  const RatedSurroundings surroundings = surroundingsOf(*content.model);
+  LiverModel others = *content.model;
+  std::erase_if(others.structures, [&](const Structure& other) { return other.id == structure.id; });
+  const RatedSurroundings surroundings = surroundingsOf(others);
   std::vector<RatedSurface> surfaces;
   for (std::size_t n = 0; n < recipes.size(); ++n) {
     const auto at = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(recipes.size()); };
     const ExecutionContext share = context.range(at(n), at(n + 1));
-    ModelMesh made = makeModelMesh(mask, geometry, recipes[n], {}, share);
+    ModelMesh made = makeModelMesh(mask, geometry, recipes[n], options, share);
     if (made.usedDepth < recipes[n].depth) {
       continue;  // the voxels carry no more: it would be the last one again
     }
     const std::string method = recipes[n].family == ModelFamily::Mcsd ? "MCSD" : "PSR";
     surfaces.push_back(
-        ratedSurface({content.code + "/" + modelId(recipes[n]), method, content.code}, std::move(made.mesh), surroundings));
+        ratedSurface({idOf(content, structure, recipes[n], options), method, content.code}, std::move(made.mesh), surroundings));
   }
   return surfaces;
 }
 
 }  // namespace
 
-void startRating(JobRunner& jobs, const Case& content, const QString& folder, QWidget& parent,
-                 std::function<void(const std::exception&)> fail) {
+void startRating(JobRunner& jobs, const Case& content, const Structure& structure, const ExperimentOptions& options,
+                 const QString& folder, QWidget& parent, std::function<void(const std::exception&)> fail) {
   JobRequest request{.key = "rating", .title = RatingWindow::tr("Models for the blind rating"), .heavy = true};
   request.fail = std::move(fail);
   submitFor<std::vector<RatedSurface>>(
-      jobs, std::move(request), [content](const ExecutionContext& context) { return makeSurfaces(content, context); },
-      [folder, &parent](std::vector<RatedSurface> surfaces) { (new RatingWindow(std::move(surfaces), folder, &parent))->show(); });
+      jobs, std::move(request),
+      [content, structure, options](const ExecutionContext& context) { return makeSurfaces(content, structure, options, context); },
+      [structure, folder, &parent](std::vector<RatedSurface> surfaces) {
+        (new RatingWindow(std::move(surfaces), structure, folder, &parent))->show();
+      });
 }
 
 }  // namespace glisson

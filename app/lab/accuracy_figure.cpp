@@ -20,17 +20,21 @@ struct Axes {
   }
 };
 
-Axes axesOf(const Evaluation& evaluation, const PlotArea& area) {
+Axes axesOf(const Evaluation& evaluation, const PlotArea& area, const std::vector<ModelMeasures>& beside) {
   double least = 1e300;
   double most = 1;
   double highest = 0;
+  const auto hold = [&](const ModelMeasures& measures) {
+    least = std::min(least, static_cast<double>(measures.triangles));
+    most = std::max(most, static_cast<double>(measures.triangles));
+    highest = std::max(highest, measures.paperErrorMm.mean);
+  };
   for (const EvaluatedModel& model : evaluation.models) {
     if (model.measures) {
-      least = std::min(least, static_cast<double>(model.measures->triangles));
-      most = std::max(most, static_cast<double>(model.measures->triangles));
-      highest = std::max(highest, model.measures->paperErrorMm.mean);
+      hold(*model.measures);
     }
   }
+  std::for_each(beside.begin(), beside.end(), hold);
   return {Axis(0.8 * least, 1.25 * most, area.left, area.right, true),
           Axis(0, highest > 0 ? 1.08 * highest : 1.0, area.bottom, area.top)};
 }
@@ -119,13 +123,16 @@ const FigureMark* AccuracyFigure::markAt(const Pixel& pixel, double reach) const
   return nearest;
 }
 
-AccuracyFigure accuracyFigure(const Evaluation& evaluation, const PlotArea& area) {
+AccuracyFigure accuracyFigure(const Evaluation& evaluation, const PlotArea& area, const std::vector<ModelMeasures>& beside) {
   AccuracyFigure figure;
   figure.area = area;
-  if (evaluation.failed() == evaluation.models.size()) {
+  if (evaluation.failed() == evaluation.models.size() && beside.empty()) {
     return figure;
   }
-  const Axes axes = axesOf(evaluation, area);
+  const Axes axes = axesOf(evaluation, area, beside);
+  for (const ModelMeasures& measures : beside) {
+    figure.beside.push_back(axes.at(measures));
+  }
   double lastNumber = -1e9;
   for (const double tick : axes.triangles.ticks(0)) {
     const double at = axes.triangles.at(tick);

@@ -46,6 +46,7 @@ struct AccuracyFigure {
   PlotArea area;
   std::vector<AxisTick> triangles;
   std::vector<AxisTick> errors;
+  std::vector<Pixel> beside;          ///< models that are no part of the evaluation, in the order given
   std::vector<FigureMark> marks;      ///< in the order to draw them: the many first, so that the few stand on top
   std::vector<Pixel> publishedFront;  ///< corners; empty where fewer than two models are on it
   std::vector<Pixel> simplifiedFront;
@@ -55,7 +56,8 @@ struct AccuracyFigure {
   [[nodiscard]] const FigureMark* markAt(const Pixel& pixel, double reach) const;
 };
 
-/// Models without measures are left out; without any the figure is empty.
-AccuracyFigure accuracyFigure(const Evaluation& evaluation, const PlotArea& area);
+/// Models without measures are left out; without any the figure is empty. `beside`: of models that have a place on the axes, but no
+/// part in scores and fronts.
+AccuracyFigure accuracyFigure(const Evaluation& evaluation, const PlotArea& area, const std::vector<ModelMeasures>& beside = {});
 
 }  // namespace glisson::lab

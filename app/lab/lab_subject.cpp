@@ -1,5 +1,7 @@
 #include "app/lab/lab_subject.h"
 
+#include <chrono>
+
 #include "reconstruction/image/liver_voxels.h"
 
 namespace glisson::lab {
@@ -15,6 +17,18 @@ const EvaluationReference& LabSubject::reference(const ExecutionContext& context
     reference_ = std::make_unique<const EvaluationReference>(*mask_, geometry_, context);
   }
   return *reference_;
+}
+
+const LabSamples& LabSubject::samples(Sampling sampling, const ExecutionContext& context) const {
+  const std::lock_guard lock(sampling_);
+  std::unique_ptr<const LabSamples>& kept = samples_[static_cast<std::size_t>(sampling)];
+  if (kept == nullptr) {
+    const auto start = std::chrono::steady_clock::now();
+    LabSamples made{sampleBoundary(*mask_, geometry_, sampling, context), 0};
+    made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    kept = std::make_unique<const LabSamples>(std::move(made));
+  }
+  return *kept;
 }
 
 }  // namespace glisson::lab

@@ -79,6 +79,18 @@ DepthDistributions depthOver(Patients patients, int depth) {
           .bestOfAll = countOf(patients, isBestOfAll, depth)};
 }
 
+std::vector<OtherDistributions> othersOver(Patients patients) {
+  std::vector<OtherDistributions> others;
+  for (const ModelRecipe& recipe : allRecipes()) {
+    const std::string id = modelId(recipe);
+    const auto ofId = [&](const PatientFigures& patient) { return patient.other(id); };
+    if (std::any_of(patients.begin(), patients.end(), [&](const PatientFigures& patient) { return ofId(patient).has_value(); })) {
+      others.push_back({id, modelName(recipe), modelsOver(patients, ofId)});
+    }
+  }
+  return others;
+}
+
 }  // namespace
 
 std::optional<ModelFigures> PatientFigures::bestPsr() const { return bestDepth ? std::optional(psr.at(*bestDepth)) : std::nullopt; }
@@ -86,6 +98,11 @@ std::optional<ModelFigures> PatientFigures::bestPsr() const { return bestDepth ?
 bool PatientFigures::psrIsBestOfAll() const {
   const std::optional<ModelFigures> best = bestPsr();
   return best && (!bestMcsd || best->score <= bestMcsd->score);
+}
+
+std::optional<ModelFigures> PatientFigures::other(const std::string& id) const {
+  const auto found = std::find_if(others.begin(), others.end(), [&](const ModelFigures& model) { return model.id == id; });
+  return found == others.end() ? std::nullopt : std::optional(*found);
 }
 
 PatientFigures figuresOf(const Evaluation& evaluation) {
@@ -96,6 +113,8 @@ PatientFigures figuresOf(const Evaluation& evaluation) {
       figures.failures.push_back(model.name() + ": " + model.failure);
     } else if (model.recipe.family == ModelFamily::Psr && evaluation.scores[n]) {
       figures.psr[model.recipe.depth] = modelFigures(evaluation, n);
+    } else if (model.recipe.family == ModelFamily::Other && evaluation.scores[n]) {
+      figures.others.push_back(modelFigures(evaluation, n));
     }
   }
   if (evaluation.bestPsr) {
@@ -158,6 +177,7 @@ CohortStatistics statisticsOf(std::span<const PatientFigures> patients) {
   statistics.mostSimilarMcsd = modelsOver(patients, [](const PatientFigures& patient) { return patient.mostSimilarMcsd; });
   statistics.bestMcsd = modelsOver(patients, [](const PatientFigures& patient) { return patient.bestMcsd; });
   statistics.bestSimplified = modelsOver(patients, [](const PatientFigures& patient) { return patient.bestSimplified; });
+  statistics.others = othersOver(patients);
   statistics.againstMostSimilar = comparisonsOver(patients, againstMostSimilar);
   statistics.againstBestMcsd = comparisonsOver(patients, againstBestMcsd);
   statistics.simplifiedAgainstPsr = comparisonsOver(patients, simplifiedAgainstPsr);

@@ -30,11 +30,14 @@ struct PatientFigures {
   std::optional<ModelFigures> mostSimilarMcsd;  ///< C_sim [eq. 14]
   std::optional<ModelFigures> bestMcsd;         ///< C_best [eq. 11]
   std::optional<ModelFigures> bestSimplified;
+  std::vector<ModelFigures> others;   ///< of the listed methods, those that could be made, in the order of allRecipes()
   std::vector<std::string> failures;  ///< "PSR d=8: why", a sentence for each model that could not be made
 
   [[nodiscard]] std::optional<ModelFigures> bestPsr() const;
   /// Whether M_best [eq. 12] is P_best; it is where both score the same.
   [[nodiscard]] bool psrIsBestOfAll() const;
+  /// Of `others`, by its id.
+  [[nodiscard]] std::optional<ModelFigures> other(const std::string& id) const;
 };
 PatientFigures figuresOf(const Evaluation& evaluation);
 
@@ -71,6 +74,12 @@ struct DepthDistributions {
   std::size_t bestOfPsr = 0;  ///< patients whose P_best has this depth
   std::size_t bestOfAll = 0;  ///< and whose M_best it is
 };
+/// A listed method's variant; scored on the scale of the published models, which it is no part of.
+struct OtherDistributions {
+  std::string id;    ///< modelId()
+  std::string name;  ///< modelName()
+  ModelDistributions models;
+};
 struct ComparisonDistributions {
   Distribution fewerTrianglesPercent, meanErrorDifferenceMm;
 };
@@ -80,6 +89,7 @@ struct CohortStatistics {
   std::vector<DepthDistributions> depths;  ///< every depth that some patient has, ascending
   std::size_t mcsdBestOfAll = 0;           ///< patients whose M_best is an MCSD model
   ModelDistributions bestPsr, mostSimilarMcsd, bestMcsd, bestSimplified;
+  std::vector<OtherDistributions> others;  ///< those that some patient has, in the order of allRecipes()
   ComparisonDistributions againstMostSimilar, againstBestMcsd, simplifiedAgainstPsr;
 };
 /// Means are over patients, each patient counting once: the mean of reductions, not the reduction of means.

@@ -23,21 +23,13 @@ ModelMesh makeListed(const Mask& mask, const ImageGeometry& geometry, const Mode
       {.sample = made.sampleSeconds, .solve = made.solveSeconds, .extract = made.extractSeconds, .simplify = made.simplifySeconds}};
 }
 
-}  // namespace
-
-ModelMesh makeModelMesh(const Mask& mask, const ImageGeometry& geometry, const ModelRecipe& recipe,
-                        const ExperimentOptions& options, const ExecutionContext& context) {
+/// `solve` runs PSR as it is told.
+template <typename Solve>
+ModelMesh makePoisson(const ModelRecipe& recipe, const ExperimentOptions& options, const ExecutionContext& context,
+                      const Solve& solve) {
   using Clock = std::chrono::steady_clock;
-  if (isMcsd(recipe)) {
-    McsdResult made = reconstructMcsd(mask, geometry, mcsdOf(recipe), context);
-    return {
-        std::move(made.mesh), 0, {.extract = made.extractSeconds, .decimate = made.decimateSeconds, .smooth = made.smoothSeconds}};
-  }
-  if (recipe.family == ModelFamily::Other) {
-    return makeListed(mask, geometry, recipe, options, context);
-  }
   const double share = recipe.divisor > 1 ? 0.6 : 1.0;
-  PoissonResult poisson = reconstructPoisson(mask, geometry, poissonOf(recipe, options), context.range(0.0, share));
+  PoissonResult poisson = solve(poissonOf(recipe, options), context.range(0.0, share));
   ModelMesh made{std::move(poisson.mesh),
                  poisson.usedDepth,
                  {.sample = poisson.sampleSeconds, .solve = poisson.solveSeconds, .extract = poisson.extractSeconds}};
@@ -47,6 +39,30 @@ ModelMesh makeModelMesh(const Mask& mask, const ImageGeometry& geometry, const M
     made.seconds.simplify = std::chrono::duration<double>(Clock::now() - start).count();
   }
   return made;
+}
+
+}  // namespace
+
+ModelMesh makeModelMesh(const Mask& mask, const ImageGeometry& geometry, const ModelRecipe& recipe,
+                        const ExperimentOptions& options, const ExecutionContext& context) {
+  if (isMcsd(recipe)) {
+    McsdResult made = reconstructMcsd(mask, geometry, mcsdOf(recipe), context);
+    return {
+        std::move(made.mesh), 0, {.extract = made.extractSeconds, .decimate = made.decimateSeconds, .smooth = made.smoothSeconds}};
+  }
+  if (recipe.family == ModelFamily::Other) {
+    return makeListed(mask, geometry, recipe, options, context);
+  }
+  return makePoisson(recipe, options, context, [&](const PoissonParameters& parameters, const ExecutionContext& part) {
+    return reconstructPoisson(mask, geometry, parameters, part);
+  });
+}
+
+ModelMesh makeModelMesh(const OrientedPoints& points, const ImageGeometry& geometry, const ModelRecipe& recipe,
+                        const ExperimentOptions& options, const ExecutionContext& context) {
+  return makePoisson(recipe, options, context, [&](const PoissonParameters& parameters, const ExecutionContext& part) {
+    return reconstructPoisson(points, geometry, parameters, part);
+  });
 }
 
 ModelMeasures measureModel(const SurfaceMesh& mesh, const ModelRecipe& recipe, const EvaluationReference& reference,

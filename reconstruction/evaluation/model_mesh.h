@@ -17,6 +17,11 @@ struct ModelMesh {
 ModelMesh makeModelMesh(const Mask& mask, const ImageGeometry& geometry, const ModelRecipe& recipe,
                         const ExperimentOptions& options, const ExecutionContext& context = {});
 
+/// The same of PSR or simplified PSR from points that are there already: sampled of the mask as options.sampling says. The seconds
+/// hold nothing of that.
+ModelMesh makeModelMesh(const OrientedPoints& points, const ImageGeometry& geometry, const ModelRecipe& recipe,
+                        const ExperimentOptions& options, const ExecutionContext& context = {});
+
 /// Everything that is measured of a model, as shipped too. Throws as EvaluationReference::measure().
 ModelMeasures measureModel(const SurfaceMesh& mesh, const ModelRecipe& recipe, const EvaluationReference& reference,
                            const ExecutionContext& context = {});

@@ -1,5 +1,7 @@
 // Many patients from the command line: each as `evaluate` leaves it, what they say together, whoever fails named, tasks gathered.
 
+#include <numeric>
+
 #include "reconstruction/evaluation/recipe.h"
 #include "tests/app/cli/evaluated_labels.h"
 
@@ -139,7 +141,7 @@ TEST_F(CliCohort, MeansCountEachEvaluatedPatientOnce) {
   const Json cohort = json();
   EXPECT_EQ(keysOf(cohort),
             (Texts{"program", "list", "parameters", "listed", "evaluated", "failed", "missing", "depths", "mcsdBestOfAll",
-                   "bestPsr", "mostSimilarMcsd", "bestMcsd", "bestSimplified", "reductions", "patients", "seconds"}));
+                   "bestPsr", "mostSimilarMcsd", "bestMcsd", "bestSimplified", "others", "reductions", "patients", "seconds"}));
   const auto all = rows();
   ASSERT_GE(cohort["depths"].size(), 2U);
   int best = cohort["mcsdBestOfAll"];
@@ -165,6 +167,38 @@ TEST_F(CliCohort, MeansCountEachEvaluatedPatientOnce) {
                        std::stod(all.at("P & 2").at("fewerTrianglesPercentBestPsrAgainstMostSimilarMcsd"))) /
                       2;
   EXPECT_NEAR(cohort["reductions"]["mostSimilarMcsd"]["fewerTrianglesPercent"]["mean"].get<double>(), mean, 1e-12);
+}
+
+TEST_F(CliCohort, OtherMethodsHaveTheirRowsToo) {
+  const Json cohort = json();
+  const auto all = rows();
+  std::size_t made = 0;
+  for (const Json& other : cohort["others"]) {
+    const std::string id = other["model"].get<std::string>();
+    std::vector<double> errors;
+    for (const std::string name : {"P1", "P & 2"}) {
+      std::map<std::string, std::map<std::string, std::string>> models;
+      for (const auto& row : namedRows(bytesOf(lab() / name / "models.csv"))) {
+        models[row.at("model")] = row;
+      }
+      const auto& row = all.at(name);
+      EXPECT_EQ(row.at(id + "_Score"), models.at(id).at("score")) << id;
+      EXPECT_EQ(row.at(id + "_Seconds"), row.at(id + "_Score").empty() ? "" : models.at(id).at("seconds")) << id;
+      if (!row.at(id + "_MeanErrorMm").empty()) {
+        errors.push_back(std::stod(row.at(id + "_MeanErrorMm")));
+      }
+    }
+    made += errors.size();
+    ASSERT_FALSE(errors.empty()) << id << " is of no patient";
+    EXPECT_EQ(other["meanErrorMm"]["patients"], errors.size());
+    EXPECT_NEAR(other["meanErrorMm"]["mean"].get<double>(),
+                std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size()), 1e-12);
+  }
+  EXPECT_GT(made, 6U);
+  const std::string html = bytesOf(lab() / "cohort.html");
+  EXPECT_NE(html.find("Other methods"), std::string::npos);
+  EXPECT_NE(html.find("MPU implicits eps=0.005"), std::string::npos);
+  EXPECT_NE(finished_.out.find("MPU implicits eps=0.005"), std::string::npos) << finished_.out;
 }
 
 TEST_F(CliCohort, TheReportIsOneFileWithEscapedNames) {

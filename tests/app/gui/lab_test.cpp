@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSlider>
@@ -27,6 +28,7 @@
 #include "app/gui/lab_side.h"
 #include "app/gui/lab_views.h"
 #include "app/gui/lab_workspace.h"
+#include "app/gui/rating_window.h"
 #include "main_window_test.h"
 #include "planning/case/structure_mask.h"
 #include "reconstruction/errors.h"
@@ -271,6 +273,54 @@ TEST_F(LabTest, TheDepthSliderShowsThatModelOnTheChosenSide) {
   EXPECT_EQ(lab().side(1).recipe(), kDepth5);
   EXPECT_EQ(lab().side(0).recipe(), kDepth6);
   EXPECT_TRUE(evaluation().models.empty()) << "the slider's models are not the experiment's";
+}
+
+TEST_F(LabTest, TheSlidersModelHasAnOpenMarkOfItsOwnUntilTheExperimentHasIt) {
+  find<QSlider>("labDepth")->setValue(6);
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  EXPECT_TRUE(lab().plot().pixelBeside(0).has_value());
+  EXPECT_FALSE(lab().plot().pixelBeside(1).has_value());
+  compare({ModelFamily::Psr});
+  EXPECT_FALSE(lab().plot().pixelBeside(0).has_value()) << "now it is one of the scored models";
+  EXPECT_TRUE(lab().plot().pixelOf(placeOf(kDepth6)).has_value());
+  find<QSlider>("labDepth")->setValue(9);
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  EXPECT_TRUE(lab().plot().pixelBeside(0).has_value());
+  EXPECT_EQ(evaluation().models.size(), 4U);
+}
+
+TEST_F(LabTest, TheSurfaceComesFirstAndSaysThatItsErrorsFollow) {
+  bool bare = false;
+  QObject::connect(&lab().side(0), &LabSide::changed, window.get(), [&] {
+    bare = bare || (lab().side(0).surface().mesh && !lab().side(0).surface().errors && lab().side(0).unfinished() &&
+                    find<QLabel>("labNameA")->text().contains("its errors are being measured"));
+  });
+  find<QSlider>("labDepth")->setValue(6);
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  EXPECT_TRUE(bare);
+  EXPECT_FALSE(lab().side(0).unfinished());
+  EXPECT_NE(lab().side(0).surface().errors, nullptr);
+  EXPECT_EQ(find<QLabel>("labNameA")->text().contains("being measured"), false);
+}
+
+TEST_F(LabTest, TheBlindRatingIsOfTheStructureThatIsCompared) {
+  find<QComboBox>("labStructure")->setCurrentIndex(1);
+  find<QComboBox>("labSampling")->setCurrentIndex(1);
+  emit find<QComboBox>("labSampling")->activated(1);
+  const QString structure = find<QComboBox>("labStructure")->currentText();
+  click("labRate");
+  ASSERT_TRUE(waitFor([&] { return window->findChild<RatingWindow*>() != nullptr; }));
+  auto* rating = window->findChild<RatingWindow*>();
+  EXPECT_TRUE(rating->findChild<QPlainTextEdit*>("ratingQuestion")->toPlainText().contains(structure));
+  rating->findChild<QLineEdit*>("ratingName")->setText("Anna");
+  rating->findChild<QPushButton*>("ratingStart")->click();
+  ASSERT_TRUE(rating->session());
+  const std::string id = find<QComboBox>("labStructure")->currentData().toString().toStdString();
+  for (const RatedModel& model : rating->session()->study.models) {
+    EXPECT_NE(model.id.find("/" + id + "/"), std::string::npos) << model.id;
+    EXPECT_TRUE(model.id.ends_with("_unbiased")) << model.id;
+  }
+  EXPECT_TRUE(waitFor([this] { return jobs->idle(); }));
 }
 
 TEST_F(LabTest, QuickMovesOfTheSliderEndAtTheLast) {

@@ -21,6 +21,7 @@
 #include "main_window_test.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/rating_csv.h"
+#include "reconstruction/evaluation/rating_tests_csv.h"
 #include "tests/viewer/bodies.h"
 #include "tests/viewer/kept_picture.h"
 
@@ -44,12 +45,20 @@ std::vector<RatedSurface> eightSurfaces() {
   return surfaces;
 }
 
+Structure structureOf(StructureKind kind, const std::string& name) {
+  Structure made;
+  made.kind = kind;
+  made.name = name;
+  return made;
+}
+
 constexpr int kShowings = 14;  // eight models, six of them twice
 
 class RatingWindowTest : public test::DrivenWindow<RatingWindow> {
  protected:
   QTemporaryDir folder;
   Language language;
+  Structure rated = structureOf(StructureKind::Liver, "");
 
   void SetUp() override {
     language.use("en");
@@ -57,7 +66,8 @@ class RatingWindowTest : public test::DrivenWindow<RatingWindow> {
   }
   void open(std::vector<RatedSurface> surfaces, const QString& place = {}) {
     window.reset();
-    window = std::make_unique<RatingWindow>(std::move(surfaces), place.isEmpty() ? folder.filePath("ratings") : place, nullptr);
+    window =
+        std::make_unique<RatingWindow>(std::move(surfaces), rated, place.isEmpty() ? folder.filePath("ratings") : place, nullptr);
     window->setAttribute(Qt::WA_DeleteOnClose, false);
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
@@ -323,6 +333,16 @@ TEST_F(RatingWindowTest, ResultsTellBothTestsWithNumbersInTheLanguageAndAreSaved
   QFile copy(folder.filePath("copy.csv"));
   ASSERT_TRUE(copy.open(QIODevice::ReadOnly));
   EXPECT_EQ(ratingSessionOfCsv(copy.readAll().toStdString(), "copy"), *window->session());
+  QFile tests(folder.filePath("copy-tests.csv"));
+  ASSERT_TRUE(tests.open(QIODevice::ReadOnly));
+  EXPECT_EQ(tests.readAll().toStdString(), ratingTestsCsv(ratingResults(*window->session())));
+}
+
+TEST_F(RatingWindowTest, TheQuestionNamesTheStructure) {
+  rated = structureOf(StructureKind::PortalVein, "portalvein");
+  open(eightSurfaces(), folder.filePath("vein"));
+  EXPECT_EQ(find<QPlainTextEdit>("ratingQuestion")->toPlainText(),
+            "Evaluate the quality of the virtual models (portalvein) for their use in resection planning and surgery guidance.");
 }
 
 TEST_F(RatingWindowTest, NoTextIsCutOffInAnyLanguageAtTheLeastSize) {

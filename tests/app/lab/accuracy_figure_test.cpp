@@ -53,6 +53,25 @@ TEST(AccuracyFigure, StandsLogarithmicallyInTrianglesAndLinearlyInError) {
   }
 }
 
+TEST(AccuracyFigure, ModelsBesideHaveAPlaceOnTheAxesAndNoPartInFronts) {
+  const AccuracyFigure alone = accuracyFigure(someModels(), kArea);
+  const std::vector<ModelMeasures> beside{*model({}, 3000000, 0.05).measures, *model({}, 10000, 0.25).measures};
+  const AccuracyFigure figure = accuracyFigure(someModels(), kArea, beside);
+  ASSERT_EQ(figure.beside.size(), 2U);
+  EXPECT_GT(figure.beside[0].x, figure.markOf(4)->at.x);
+  EXPECT_LE(figure.beside[0].x, kArea.right);
+  EXPECT_LE(figure.beside[0].y, kArea.bottom);
+  EXPECT_NEAR(figure.beside[1].x, figure.markOf(1)->at.x, 1e-9);
+  EXPECT_NEAR(figure.beside[1].y, figure.markOf(1)->at.y, 1e-9);
+  EXPECT_EQ(figure.marks.size(), alone.marks.size());
+  EXPECT_EQ(figure.publishedFront.size(), alone.publishedFront.size());
+  EXPECT_EQ(figure.markAt(figure.beside[0], 1), nullptr) << "it cannot be chosen as a model of the experiment";
+  const AccuracyFigure only = accuracyFigure({}, kArea, beside);
+  EXPECT_TRUE(only.marks.empty());
+  EXPECT_EQ(only.beside.size(), 2U);
+  EXPECT_FALSE(only.triangles.empty());
+}
+
 TEST(AccuracyFigure, FrontsAreStairsFromModelToModel) {
   const AccuracyFigure figure = accuracyFigure(someModels(), kArea);
   ASSERT_EQ(figure.publishedFront.size(), 5U) << "three models and two corners";

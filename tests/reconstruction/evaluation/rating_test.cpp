@@ -16,6 +16,8 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/rating_csv.h"
 #include "reconstruction/evaluation/rating_results.h"
+#include "reconstruction/evaluation/rating_tests_csv.h"
+#include "reconstruction/text.h"
 
 namespace glisson {
 namespace {
@@ -219,6 +221,41 @@ TEST(RatingResults, WithoutAFinishedRaterAreEmpty) {
 }
 
 // ---- the file
+
+TEST(RatingTestsCsv, HoldsTheNumbersOfEveryTestExactly) {
+  const RatingResults results = resultsOfFour([](int rater) { return rater % 3; });
+  const auto rows = test::namedRows(ratingTestsCsv(results));
+  std::size_t line = 0;
+  for (const MethodComparison& comparison : results.comparisons) {
+    std::vector<std::pair<std::string, TTestResult>> expected{{"", comparison.pooled}, {"", comparison.overRaters}};
+    for (const RaterTest& rater : comparison.withinRaters) {
+      expected.emplace_back(rater.rater, rater.test);
+    }
+    for (std::size_t n = 0; n < expected.size(); ++n, ++line) {
+      ASSERT_LT(line, rows.size());
+      const auto& row = rows[line];
+      EXPECT_EQ(row.at("first"), comparison.first);
+      EXPECT_EQ(row.at("second"), comparison.second);
+      EXPECT_EQ(row.at("test"), n == 0 ? "welch" : n == 1 ? "paired_over_raters" : "paired_over_patients");
+      EXPECT_EQ(row.at("rater"), expected[n].first);
+      if (const auto* test = std::get_if<TTest>(&expected[n].second)) {
+        EXPECT_EQ(parseNumber(row.at("mean_difference")), test->meanDifference);
+        EXPECT_EQ(parseNumber(row.at("t")), test->t);
+        EXPECT_EQ(parseNumber(row.at("degrees_of_freedom")), test->degreesOfFreedom);
+        EXPECT_EQ(parseNumber(row.at("p")), test->p);
+        EXPECT_EQ(row.at("no_test"), "");
+      } else {
+        EXPECT_EQ(row.at("p"), "");
+        EXPECT_EQ(row.at("no_test"), std::get<NoTTest>(expected[n].second) == NoTTest::TooFew ? "too_few" : "no_spread");
+      }
+      const auto second = std::ranges::find(results.methods, comparison.second, &MethodRatings::method);
+      EXPECT_EQ(row.at("ratings_second"), std::to_string(second->ratings.size()));
+      EXPECT_EQ(parseNumber(row.at("mean_second")), second->spread.mean);
+    }
+  }
+  EXPECT_EQ(line, rows.size());
+  EXPECT_GT(line, 0U);
+}
 
 RatingSession twoRaters(std::size_t ratingsOfTheSecond) {
   RatingSession session =
