@@ -3069,8 +3069,8 @@
         <translation>geb. %1</translation>
     </message>
     <message>
-        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as they are at its border.</source>
-        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, v = Normale x u entlang %4. Kontrollpunkte in mm über der Ebene, von -u und -v an, u läuft am schnellsten: %5. Jenseits des Quadrats gehen die Höhen weiter wie an seinem Rand.</translation>
+        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beside the square it levels out: d mm beyond the border the height is the cubic one at d - d^2 / (2 w) mm, w = %6 mm, and from w on it stays the same.</source>
+        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, v = Normale x u entlang %4. Kontrollpunkte in mm über der Ebene, von -u und -v an, u läuft am schnellsten: %5. Neben dem Quadrat läuft sie flach aus: d mm jenseits des Rands gilt die kubische Höhe bei d - d^2 / (2 w) mm, w = %6 mm, und ab w bleibt sie gleich.</translation>
     </message>
 </context>
 <context>

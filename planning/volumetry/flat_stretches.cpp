@@ -30,14 +30,10 @@ double flatteningMm(const Box& voxel, const BentSurface& surface) {
   const double u = surface.u().cwiseAbs().dot(voxel.half);
   const double v = surface.v().cwiseAbs().dot(voxel.half);
   const Vec3 from = voxel.centre - surface.origin();
-  const auto onBorder = [&](const Vec3& axis, double half) {
-    return std::abs(std::abs(axis.dot(from)) - shape.halfSizeMm()) <= half + kOnPlaneMm;
-  };
+  const double farthest = std::max(std::abs(surface.u().dot(from)) + u, std::abs(surface.v().dot(from)) + v);
+  const double curved = farthest < shape.halfSizeMm() ? shape.mostCurvedInside() : shape.mostCurved();
   // A half from the touching plane, a sixth from its move to the mean height.
-  double off = (1.0 / 2 + 1.0 / 6) * shape.mostCurved() * (u * u + v * v);
-  off += onBorder(surface.u(), u) ? shape.slopesU().most() * u : 0;
-  off += onBorder(surface.v(), v) ? shape.slopesV().most() * v : 0;
-  return off;
+  return (1.0 / 2 + 1.0 / 6) * curved * (u * u + v * v);
 }
 
 FlatStretches::FlatStretches(const std::vector<ImageResection>& plan, const Vec3& spacing) : plan_(plan), spacing_(spacing) {

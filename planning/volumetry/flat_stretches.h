@@ -59,8 +59,7 @@ class FlatStretches {
 /// The plane that stands for the surface in one voxel.
 ImagePlane planeIn(const Box& voxel, const BentSurface& surface);
 
-/// How far the surface can be from planeIn() within the voxel, mm: by its curvature and, on the square's border, by the slope's
-/// jump.
+/// How far the surface can be from planeIn() within the voxel, mm, by its curvature.
 double flatteningMm(const Box& voxel, const BentSurface& surface);
 
 bool hasBends(const std::vector<ImageResection>& plan);
