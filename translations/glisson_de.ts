@@ -4732,6 +4732,18 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>The plane is flat.</source>
         <translation>Die Ebene ist eben.</translation>
     </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>The control point whose height is shown, highlighted in the 3D view: a click on it there chooses it, too</source>
+        <translation>Der Kontrollpunkt, dessen Höhe gezeigt wird, in der 3D-Ansicht hervorgehoben: auch ein Klick auf ihn dort wählt ihn</translation>
+    </message>
+    <message>
+        <source>The control point&apos;s height over the plane, towards the resected side; its group moves along where groups are dragged</source>
+        <translation>Die Höhe des Kontrollpunkts über der Ebene, zur resezierten Seite hin; seine Gruppe geht mit, wo Gruppen gezogen werden</translation>
+    </message>
 </context>
 <context>
     <name>glisson::PlanePlacer</name>
