@@ -4544,6 +4544,18 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>The plane is flat.</source>
         <translation>Die Ebene ist eben.</translation>
     </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>The control point whose height is shown, highlighted in the 3D view: a click on it there chooses it, too</source>
+        <translation>Der Kontrollpunkt, dessen Höhe gezeigt wird, in der 3D-Ansicht hervorgehoben: auch ein Klick auf ihn dort wählt ihn</translation>
+    </message>
+    <message>
+        <source>The control point&apos;s height over the plane, towards the resected side; its group moves along where groups are dragged</source>
+        <translation>Die Höhe des Kontrollpunkts über der Ebene, zur resezierten Seite hin; seine Gruppe geht mit, wo Gruppen gezogen werden</translation>
+    </message>
 </context>
 <context>
     <name>glisson::PlanePlacer</name>
@@ -4967,10 +4979,6 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>Links und rechts sind von der Hauptgabelung aus vorgeschlagen; niemand hat sie bestätigt.</translation>
     </message>
     <message>
-        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as they are at its border.</source>
-        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, v = Normale x u entlang %4. Kontrollpunkte in mm über der Ebene, von -u und -v an, u läuft am schnellsten: %5. Jenseits des Quadrats gehen die Höhen weiter wie an seinem Rand.</translation>
-    </message>
-    <message>
         <source>Plane</source>
         <translation>Ebene</translation>
     </message>
@@ -5057,6 +5065,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>not for clinical use</source>
         <translation>nicht für den klinischen Gebrauch</translation>
+    </message>
+    <message>
+        <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beside the square it levels out: d mm beyond the border the height is the cubic one at d - d^2 / (2 w) mm, w = %6 mm, and from w on it stays the same.</source>
+        <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, v = Normale x u entlang %4. Kontrollpunkte in mm über der Ebene, von -u und -v an, u läuft am schnellsten: %5. Neben dem Quadrat läuft sie flach aus: d mm jenseits des Rands gilt die kubische Höhe bei d - d^2 / (2 w) mm, w = %6 mm, und ab w bleibt sie gleich.</translation>
     </message>
 </context>
 <context>

@@ -105,10 +105,17 @@ void ModelView::setFullDetail(bool full) {
 }
 
 void ModelView::setBending(bool shown, bool group) {
+  if (shown != impl_->bending) {
+    impl_->hoveredPoint.reset();
+    impl_->keyedPoint.reset();
+  }
   impl_->bending = shown;
   impl_->bendGroup = group;
-  impl_->hoveredPoint.reset();
-  impl_->keyedPoint.reset();
+  requestRender();
+}
+
+void ModelView::chooseControlPoint(int point) {
+  impl_->keyedPoint = static_cast<std::size_t>(std::clamp(point, 0, 15));
   requestRender();
 }
 
@@ -247,6 +254,7 @@ void ModelView::mousePressEvent(QMouseEvent* event) {
       d.bendDrag.emplace(*d.plane, *point, d.bendGroup || shift, camera(), mouse);
       d.keyedPoint = point;
       event->accept();
+      emit controlPointChosen(static_cast<int>(*point));
       emit planeDragStarted();
       return;
     }

@@ -3,7 +3,7 @@
 // Mouse: left rotates, middle pans, right or wheel zooms; 1/3/7 anterior/left/superior. Handles of the plane take the left button
 // first; Escape during a drag takes it back. Keys for the plane: PageUp/PageDown or +/- move it 1 mm along its normal (Shift 0.1
 // mm, Ctrl 5 mm), Ctrl+arrows tilt it by 1 degree about its centre (with Shift 5 degrees). While a bent plane's control points are
-// shown they take the left button (with Shift: their group moves), and the keys along the normal move the one dragged last.
+// shown they take the left button (with Shift: their group moves), and the keys along the normal move the one chosen last.
 
 #include <memory>
 #include <optional>
@@ -51,6 +51,8 @@ class ModelView : public VtkWidget {
   [[nodiscard]] std::optional<ResectionPlane> plane() const;
   /// Shows the control points of the chosen plane where it is bent; `group`: they move with their group. Not shown is the default.
   void setBending(bool shown, bool group);
+  /// The control point, 0..15, that is highlighted and that keys move. Emits no signal.
+  void chooseControlPoint(int point);
 
   /// What the resection surface is coloured by; null: it stays plain.
   void setTumours(std::shared_ptr<const TumourDistance> tumours);
@@ -81,6 +83,8 @@ class ModelView : public VtkWidget {
   void planeDragStarted();
   void planeDragged(const glisson::ResectionPlane& plane);
   void planeDragFinished(const glisson::ResectionPlane& plane);
+  /// One of the control points, 0..15, was grasped.
+  void controlPointChosen(int point);
   /// By the user or by a standard view, once a frame.
   void cameraMoved();
   void picked(const glisson::Pick& pick);

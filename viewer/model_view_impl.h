@@ -50,7 +50,7 @@ struct ModelView::Impl {
   bool bendGroup = false;  ///< they move with their group
   std::optional<BendDrag> bendDrag;
   std::optional<std::size_t> hoveredPoint;
-  std::optional<std::size_t> keyedPoint;  ///< the last one dragged: the one that keys move
+  std::optional<std::size_t> keyedPoint;  ///< the last one chosen or dragged: the one that keys move
   std::optional<PlaneHandle> hovered;
   bool handlesShown = true;
   bool fullDetail = false;  ///< of moving frames, too

@@ -11,22 +11,18 @@ namespace {
 class CurveFinder {
  public:
   CurveFinder(const SliceGeometry& geometry, int slice, const ResectionPlane& plane, double stepMm)
-      : columns_(static_cast<int>(std::ceil(geometry.columns() * geometry.columnSpacing() / stepMm))),
+      : geometry_(geometry),
+        slice_(slice),
+        surface_(plane),
+        columns_(static_cast<int>(std::ceil(geometry.columns() * geometry.columnSpacing() / stepMm))),
         rows_(static_cast<int>(std::ceil(geometry.rows() * geometry.rowSpacing() / stepMm))),
-        step_(static_cast<double>(geometry.columns()) / columns_, static_cast<double>(geometry.rows()) / rows_) {
-    const BentSurface surface(plane);
-    above_.reserve(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1));
-    for (int row = 0; row <= rows_; ++row) {
-      for (int column = 0; column <= columns_; ++column) {
-        above_.push_back(surface.above(geometry.toWorld(nodeAt(column, row), slice)));
-      }
-    }
-  }
+        step_(static_cast<double>(geometry.columns()) / columns_, static_cast<double>(geometry.rows()) / rows_),
+        above_(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1)) {}
 
   std::vector<std::vector<SlicePoint>> curves() {
-    for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column) {
-        addTriangles(column, row);
+    for (int row = 0; row < rows_; row += kCellsAtOnce) {
+      for (int column = 0; column < columns_; column += kCellsAtOnce) {
+        addCells(column, row, std::min(column + kCellsAtOnce, columns_), std::min(row + kCellsAtOnce, rows_));
       }
     }
     return joined();
@@ -36,8 +32,31 @@ class CurveFinder {
   [[nodiscard]] SlicePoint nodeAt(double column, double row) const {
     return SlicePoint(column, row).cwiseProduct(step_) - SlicePoint::Constant(0.5);
   }
-  [[nodiscard]] double at(const std::array<int, 2>& node) const {
-    return above_[static_cast<std::size_t>(node[1]) * static_cast<std::size_t>(columns_ + 1) + static_cast<std::size_t>(node[0])];
+  [[nodiscard]] std::size_t placeOf(const std::array<int, 2>& node) const {
+    return static_cast<std::size_t>(node[1]) * static_cast<std::size_t>(columns_ + 1) + static_cast<std::size_t>(node[0]);
+  }
+  [[nodiscard]] double at(const std::array<int, 2>& node) const { return above_[placeOf(node)]; }
+
+  static constexpr int kCellsAtOnce = 16;
+
+  /// The cells from one node to another, unless the surface is surely far from all of them.
+  void addCells(int column, int row, int columnEnd, int rowEnd) {
+    const Vec3 centre = geometry_.toWorld(nodeAt(0.5 * (column + columnEnd), 0.5 * (row + rowEnd)), slice_);
+    const Vec3 side = geometry_.toWorld(nodeAt(columnEnd, 0.5 * (row + rowEnd)), slice_) - centre;
+    const Vec3 below = geometry_.toWorld(nodeAt(0.5 * (column + columnEnd), rowEnd), slice_) - centre;
+    if (std::abs(surface_.above(centre)) > surface_.reach(side.cwiseAbs() + below.cwiseAbs())) {
+      return;
+    }
+    for (int r = row; r <= rowEnd; ++r) {
+      for (int c = column; c <= columnEnd; ++c) {
+        above_[placeOf({c, r})] = surface_.above(geometry_.toWorld(nodeAt(c, r), slice_));
+      }
+    }
+    for (int r = row; r < rowEnd; ++r) {
+      for (int c = column; c < columnEnd; ++c) {
+        addTriangles(c, r);
+      }
+    }
   }
 
   /// Two triangles a cell: no cell is then ambiguous.
@@ -108,10 +127,13 @@ class CurveFinder {
     return lines;
   }
 
+  const SliceGeometry& geometry_;
+  int slice_;
+  BentSurface surface_;
   int columns_;
   int rows_;
   SlicePoint step_;
-  std::vector<double> above_;
+  std::vector<double> above_;  ///< by node, where the surface may be near
   std::map<Edge, Edge> next_;
 };
 }  // namespace

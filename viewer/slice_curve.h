@@ -11,6 +11,6 @@ namespace glisson {
 /// Lines through slice points, each with the resected side on its right as seen on the screen (y down); a closed one ends where it
 /// begins. Its points are at most `stepMm` apart; what bends more finely is not seen.
 std::vector<std::vector<SlicePoint>> slicesCurves(const SliceGeometry& geometry, int slice, const ResectionPlane& plane,
-                                                  double stepMm = 2);
+                                                  double stepMm = 0.5);
 
 }  // namespace glisson

@@ -64,7 +64,7 @@ void checkDivides(const ResectionVolume& added, double totalMl, const Case& sour
 struct Work {
   Case source;
   std::size_t index = 0;                   ///< of the plan
-  std::optional<std::size_t> cut;          ///< the resection that got planes
+  std::vector<std::size_t> cut;            ///< the resections that got planes, or whose planes were bent or flattened
   std::optional<MarginProposal> proposal;  ///< where one was asked for
   std::vector<std::string> edits;          ///< of the plans, as they stand behind Undo
 
@@ -121,19 +121,61 @@ void addPlanes(const PlanFlags& flags, Work& work, const ExecutionContext& conte
     }
   }
   if (planes.empty()) {
-    if (!flags.toResection.empty() && !work.proposal) {
+    if (!flags.toResection.empty() && !work.proposal && work.cut.empty()) {
       throw UsageError("--resection needs a plane of the same call to add");
     }
     return;
   }
   if (flags.toResection.empty()) {
     work.edit(AddResection{{"", planes}});
-    work.cut = work.plan().resections.size() - 1;
+    work.cut.push_back(work.plan().resections.size() - 1);
     return;
   }
-  work.cut = resectionIndex(work.plan(), flags.toResection, "--resection");
+  const std::size_t resection = resectionIndex(work.plan(), flags.toResection, "--resection");
   for (const ResectionPlane& plane : planes) {
-    work.edit(AddPlane{*work.cut, plane});
+    work.edit(AddPlane{resection, plane});
+  }
+  work.cut.push_back(resection);
+}
+
+/// The resection whose planes are bent or flattened, and that it has plane `plane`.
+std::size_t resectionWith(std::size_t plane, const PlanFlags& flags, const std::string& flag, Work& work) {
+  const std::vector<Resection>& resections = work.plan().resections;
+  if (flags.toResection.empty() && resections.size() != 1) {
+    throw UsageError(flag + " needs --resection where the plan has not one resection; " + work.plan().name + " has " +
+                     std::to_string(resections.size()));
+  }
+  const std::size_t resection = flags.toResection.empty() ? 0 : resectionIndex(work.plan(), flags.toResection, "--resection");
+  const std::size_t planes = resections[resection].planes.size();
+  if (plane >= planes) {
+    throw UsageError(flag + " " + std::to_string(plane + 1) + ": " + resections[resection].name + " has " + std::to_string(planes) +
+                     (planes == 1 ? " plane" : " planes"));
+  }
+  work.cut.push_back(resection);
+  return resection;
+}
+
+/// Planes that are there, before others join them.
+void reshapePlanes(const PlanFlags& flags, Work& work) {
+  for (const std::string& text : flags.flattenPlanes) {
+    const std::size_t plane = planeNumberOf("--flatten-plane", text);
+    const std::size_t resection = resectionWith(plane, flags, "--flatten-plane", work);
+    if (!work.plan().resections[resection].planes[plane].bend) {
+      throw UsageError("--flatten-plane " + text + ": the plane is flat");
+    }
+    work.edit(FlattenPlane{resection, plane});
+  }
+  for (const std::string& text : flags.bendPlanes) {
+    const TypedPlaneBend typed = planeBendOf(text);
+    const std::size_t resection = resectionWith(typed.plane, flags, "--bend-plane", work);
+    ResectionPlane made = work.plan().resections[resection].planes[typed.plane];
+    if (made.bend) {
+      made.bend->heightsMm = typed.bend.heightsMm;
+      made.bend->halfSizeMm = typed.bend.halfSizeMm.value_or(made.bend->halfSizeMm);
+    } else {
+      made = bent(made, typed.bend, *work.source.liver);
+    }
+    work.edit(BendPlane{resection, typed.plane, *made.bend, made.origin});
   }
 }
 
@@ -161,6 +203,7 @@ void editPlan(const PlanFlags& flags, Work& work, const ExecutionContext& contex
   if (!flags.removeResection.empty()) {
     work.edit(RemoveResection{resectionIndex(work.plan(), flags.removeResection, "--remove-resection")});
   }
+  reshapePlanes(flags, work);
   addPlanes(flags, work, context);
   for (const std::string& text : flags.islands) {
     editIsland(text, work);
@@ -328,8 +371,8 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   const PlanAssessor assessor(work.source);
   const PlanAssessment assessment = assessor.assess(work.plan());
   context.throwIfCancelled();
-  if (work.cut) {
-    checkDivides(assessment.resections[*work.cut], assessment.totalMl, work.source);
+  for (const std::size_t resection : work.cut) {
+    checkDivides(assessment.resections[resection], assessment.totalMl, work.source);
   }
   const std::optional<Comparison> comparison = compared(flags, work, assessor);
   std::optional<TerritoryCommand> territories;

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "planning/resection/place_plane.h"
@@ -101,7 +102,15 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
       "--bend", flags.bend,
       "h0,...,h15[,halfSize]: bend the last placed plane of this call; 16 heights along its normal, mm, row by row over a "
       "square around its origin (halfSize mm; without it: over the cut)");
-  command.add_option("--resection", flags.toResection, "Add the planes to this resection instead of making a new one");
+  command.add_option(
+      "--resection", flags.toResection,
+      "Add the planes to this resection instead of making a new one; the resection of --bend-plane and --flatten-plane");
+  addMany(command, "--bend-plane", flags.bendPlanes,
+          "N,h0,...,h15[,halfSize]: bend plane N (from 1) of --resection, or of the only one, as --bend does; one that is bent "
+          "keeps its "
+          "square but for the half size");
+  addMany(command, "--flatten-plane", flags.flattenPlanes,
+          "N: make bent plane N (from 1) of --resection, or of the only one, flat");
   command.add_option("--remove-resection", flags.removeResection, "Remove this resection from the plan");
   command.add_option("--margin", flags.margin, "The plan's safety margin, mm");
   addMany(command, "--island", flags.islands,
@@ -130,6 +139,12 @@ void checkFlags(const PlanFlags& flags) {
   checkAcceptanceFlags(flags.acceptance);
   if (!flags.bend.empty()) {
     (void)bendOf(flags.bend);
+  }
+  for (const std::string& text : flags.bendPlanes) {
+    (void)planeBendOf(text);
+  }
+  for (const std::string& text : flags.flattenPlanes) {
+    (void)planeNumberOf("--flatten-plane", text);
   }
   for (const std::string& text : flags.islands) {
     (void)islandOf(text);
@@ -167,17 +182,37 @@ std::vector<HalfSpace> planesOf(const PlanFlags& flags, const ImageGeometry& geo
   return planes;
 }
 
-TypedBend bendOf(const std::string& text) {
+namespace {
+TypedBend bendOf(const std::string& flag, const std::string& text) {
   constexpr std::size_t kHeights = 16;
   const bool sized = partsOf(text).size() == kHeights + 1;
-  const auto n =
-      numbersOf("--bend", text, sized ? kHeights + 1 : kHeights, "sixteen heights h0,...,h15 and, if wanted, a half size");
+  const auto n = numbersOf(flag, text, sized ? kHeights + 1 : kHeights, "sixteen heights h0,...,h15 and, if wanted, a half size");
   TypedBend bend;
   std::copy_n(n.begin(), kHeights, bend.heightsMm.begin());
   if (sized) {
     bend.halfSizeMm = n.back();
   }
   return bend;
+}
+}  // namespace
+
+TypedBend bendOf(const std::string& text) { return bendOf("--bend", text); }
+
+TypedPlaneBend planeBendOf(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) {
+    throw UsageError("--bend-plane takes a plane's number and sixteen heights h0,...,h15, not \"" + text + "\"");
+  }
+  return {planeNumberOf("--bend-plane", text.substr(0, comma)), bendOf("--bend-plane", text.substr(comma + 1))};
+}
+
+std::size_t planeNumberOf(const std::string& flag, const std::string& text) {
+  const auto number = parseNumber(text);
+  constexpr double kMost = 1000;
+  if (!number || !(*number >= 1 && *number <= kMost) || *number != std::floor(*number)) {
+    throw UsageError(flag + " takes the number of a plane, counted from 1, not \"" + text + "\"");
+  }
+  return static_cast<std::size_t>(*number) - 1;
 }
 
 IslandAssignment islandOf(const std::string& text) {

@@ -25,6 +25,9 @@ struct PlanFlags {
   bool flip = false;
   std::string bend;         ///< of the last of them
   std::string toResection;  ///< empty: a new one
+  // planes that are there
+  std::vector<std::string> bendPlanes;
+  std::vector<std::string> flattenPlanes;
   // other edits of the plan
   std::string removeResection;
   std::string margin;
@@ -60,6 +63,14 @@ struct TypedBend {
   std::optional<double> halfSizeMm;
 };
 TypedBend bendOf(const std::string& text);
+/// A plane that is there, counted from 0, and its bend: N,h0,...,h15[,halfSize], N counted from 1.
+struct TypedPlaneBend {
+  std::size_t plane = 0;
+  TypedBend bend;
+};
+TypedPlaneBend planeBendOf(const std::string& text);
+/// A plane's number, counted from 0, out of one that counts from 1.
+std::size_t planeNumberOf(const std::string& flag, const std::string& text);
 /// x,y,z,resected or x,y,z,remnant
 IslandAssignment islandOf(const std::string& text);
 /// x,y,z,x,y,z

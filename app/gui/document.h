@@ -82,6 +82,8 @@ class Document : public QObject {
   void removePlane();
   /// Bends the plane worked on, from heights of 0 over its cut through the liver.
   void startBend();
+  /// Bends the bent plane worked on in another way.
+  void bendPlane(const Bend& bend);
   void flattenPlane();
   /// Any edit of the plan worked on; a plane it adds is the one worked on then. Throws PlanningError and changes nothing where the
   /// plan does not take it.

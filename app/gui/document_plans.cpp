@@ -96,6 +96,12 @@ void Document::startBend() {
   }
 }
 
+void Document::bendPlane(const Bend& bend) {
+  if (plane() && plane()->bend) {
+    edit(BendPlane{chosen_.resection, chosen_.plane, bend});
+  }
+}
+
 void Document::flattenPlane() {
   if (plane() && plane()->bend) {
     edit(FlattenPlane{chosen_.resection, chosen_.plane});

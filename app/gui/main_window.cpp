@@ -168,6 +168,9 @@ void MainWindow::connectParts() {
   connect(&editor, &PlaneEditor::planeEdited, document_, &Document::movePlane);
   connect(&editor, &PlaneEditor::bendingChanged, this, &MainWindow::bend);
   connect(&editor, &PlaneEditor::flattenRequested, document_, &Document::flattenPlane);
+  connect(&editor, &PlaneEditor::bendEdited, document_, &Document::bendPlane);
+  connect(&editor, &PlaneEditor::controlPointChosen, &views_->modelView(), &ModelView::chooseControlPoint);
+  connect(&views_->modelView(), &ModelView::controlPointChosen, &editor, &PlaneEditor::setControlPoint);
   connect(&editor, &PlaneEditor::moveRequested, placer_, &PlanePlacer::moveBy);
   connect(&editor, &PlaneEditor::tiltRequested, placer_, &PlanePlacer::tilt);
   connect(&editor, &PlaneEditor::normalRefused, this,

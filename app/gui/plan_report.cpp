@@ -242,10 +242,10 @@ QString bendText(const QString& name, const ResectionPlane& plane) {
   }
   return ReportText::tr(
              "%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. "
-             "Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beyond the square the heights go on as "
-             "they are at its border.")
+             "Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beside the square it levels out: d mm "
+             "beyond the border the height is the cubic one at d - d^2 / (2 w) mm, w = %6 mm, and from w on it stays the same.")
       .arg(name, numberText(2 * bend.halfSizeMm, 0), vectorText(bend.u, 4), vectorText(plane.normal.cross(bend.u), 4),
-           heights.join(QStringLiteral("; ")));
+           heights.join(QStringLiteral("; ")), numberText(kBendEase * bend.halfSizeMm, 1));
 }
 
 QString planesOf(const PlanReport& report) {

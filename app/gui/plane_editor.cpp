@@ -7,11 +7,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QSpinBox>
 #include <QToolButton>
 #include <algorithm>
 #include <map>
 #include <numbers>
 #include <span>
+
+#include "viewer/bend_handles.h"
 
 namespace glisson {
 
@@ -55,7 +58,10 @@ PlaneEditor::PlaneEditor(QWidget* parent)
       bend_(new QPushButton(this)),
       bendLabel_(new QLabel(this)),
       bendMoves_(new QComboBox(this)),
-      flat_(new QPushButton(this)) {
+      flat_(new QPushButton(this)),
+      pointLabel_(new QLabel(this)),
+      point_(new QSpinBox(this)),
+      height_(makeField(this, "controlHeight", kMostBendMm, 1, 1)) {
   setObjectName("planeEditor");
   place_->setObjectName("placePlane");
   flip_->setObjectName("flipPlane");
@@ -67,6 +73,9 @@ PlaneEditor::PlaneEditor(QWidget* parent)
   bendMoves_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   bendMoves_->setMinimumContentsLength(8);
   flat_->setObjectName("flattenPlane");
+  point_->setObjectName("controlPoint");
+  point_->setRange(1, 16);
+  point_->setWrapping(true);
   constexpr std::array kAxes{"X", "Y", "Z"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     origin_[axis] = makeField(this, QString("origin") + kAxes[axis], 5000, 1, 1);
@@ -91,6 +100,11 @@ PlaneEditor::PlaneEditor(QWidget* parent)
   connect(bend_, &QPushButton::toggled, this, &PlaneEditor::tellBending);
   connect(bendMoves_, &QComboBox::activated, this, &PlaneEditor::tellBending);
   connect(flat_, &QPushButton::clicked, this, &PlaneEditor::flattenRequested);
+  connect(point_, &QSpinBox::valueChanged, this, [this](int number) {
+    showHeight();
+    emit controlPointChosen(number - 1);
+  });
+  connect(height_, &QDoubleSpinBox::editingFinished, this, &PlaneEditor::commitHeight);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     connect(origin_[axis], &QDoubleSpinBox::editingFinished, this, &PlaneEditor::commitFields);
     connect(normal_[axis], &QDoubleSpinBox::editingFinished, this, &PlaneEditor::commitNormal);
@@ -144,6 +158,9 @@ void PlaneEditor::build() {
   grid->addLayout(bending, 6, 0, 1, 4);
   grid->addWidget(bendLabel_, 7, 0);
   grid->addWidget(bendMoves_, 7, 1, 1, 3);
+  grid->addWidget(pointLabel_, 8, 0);
+  grid->addWidget(point_, 8, 1);
+  grid->addWidget(height_, 8, 2, 1, 2);
 }
 
 void PlaneEditor::tellBending() { emit bendingChanged(bend_->isChecked(), bendMoves_->currentIndex() == 1); }
@@ -166,6 +183,8 @@ void PlaneEditor::retranslateUi() {
   tiltLabel_->setText(tr("Tilt"));
   moveStep_->setSuffix(QStringLiteral(" mm"));
   tiltStep_->setSuffix(QStringLiteral("\u00B0"));
+  pointLabel_->setText(tr("Point"));
+  height_->setSuffix(QStringLiteral(" mm"));
   for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
     field->setLocale(QLocale());
   }
@@ -185,7 +204,33 @@ void PlaneEditor::setPlane(const std::optional<ResectionPlane>& plane) {
   if (bend_->isChecked() && !(plane && plane->bend)) {
     bend_->setChecked(false);  // flattened, undone, or another plane is worked on
   }
+  showHeight();
   updateEnabled();
+}
+
+void PlaneEditor::setControlPoint(int point) {
+  const QSignalBlocker quiet(point_);
+  point_->setValue(point + 1);
+  showHeight();
+}
+
+void PlaneEditor::showHeight() {
+  const QSignalBlocker quiet(height_);
+  height_->setValue(plane_ && plane_->bend ? plane_->bend->heightsMm[static_cast<std::size_t>(point_->value() - 1)] : 0.0);
+}
+
+void PlaneEditor::commitHeight() {
+  if (!plane_ || !plane_->bend) {
+    return;
+  }
+  const auto point = static_cast<std::size_t>(point_->value() - 1);
+  const double before = plane_->bend->heightsMm[point];
+  const double typed = height_->value();
+  if (std::abs(typed - before) > 0.051) {  // a field that still shows the rounded old height keeps the exact one
+    Bend bend = *lifted(*plane_, point, bendMoves_->currentIndex() == 1, typed - before).bend;
+    bend.heightsMm[point] = typed;
+    emit bendEdited(bend);
+  }
 }
 
 void PlaneEditor::setPlaceMenu(QMenu* menu) { placeOtherwise_->setMenu(menu); }
@@ -258,12 +303,21 @@ void PlaneEditor::updateEnabled() {
   }
   const bool bent = plane_ && plane_->bend;
   bendMoves_->setEnabled(bent && bend_->isChecked());
+  point_->setEnabled(bendMoves_->isEnabled());
+  height_->setEnabled(bendMoves_->isEnabled());
   flat_->setEnabled(bent);
   if (plane_) {
     bend_->setToolTip(tr("Show 16 control points and drag them along the normal: the plane becomes a Bezier surface"));
     bendMoves_->setToolTip(bendMoves_->isEnabled()
                                ? tr("What a drag moves: one point, or all corners, edge or inner points (Shift)")
                                : tr("Press Bend first."));
+    point_->setToolTip(point_->isEnabled()
+                           ? tr("The control point whose height is shown, highlighted in the 3D view: a click on it "
+                                "there chooses it, too")
+                           : tr("Press Bend first."));
+    height_->setToolTip(height_->isEnabled() ? tr("The control point's height over the plane, towards the resected side; its group "
+                                                  "moves along where groups are dragged")
+                                             : tr("Press Bend first."));
     flat_->setToolTip(bent ? tr("Make the bent surface the plane again") : tr("The plane is flat."));
   }
 }

@@ -14,6 +14,7 @@ class QDoubleSpinBox;
 class QLabel;
 class QMenu;
 class QPushButton;
+class QSpinBox;
 class QToolButton;
 
 namespace glisson {
@@ -24,6 +25,8 @@ class PlaneEditor : public Translated<QGroupBox> {
   explicit PlaneEditor(QWidget* parent = nullptr);
 
   void setPlane(const std::optional<ResectionPlane>& plane);
+  /// The control point, 0..15, whose height is shown. Emits no signal.
+  void setControlPoint(int point);
   /// The other ways to place it.
   void setPlaceMenu(QMenu* menu);
   /// Why no plane can be placed now; empty: it can.
@@ -42,6 +45,10 @@ class PlaneEditor : public Translated<QGroupBox> {
   /// The plane shall be bent, where it is flat, and its control points shown; with their whole group they move where `group`.
   void bendingChanged(bool shown, bool group);
   void flattenRequested();
+  /// The control point, 0..15, whose height is to be typed.
+  void controlPointChosen(int point);
+  /// A height was typed; the point's group moved along where groups are moved.
+  void bendEdited(const glisson::Bend& bend);
   /// A normal of no length was typed: the fields were put back.
   void normalRefused();
 
@@ -54,6 +61,8 @@ class PlaneEditor : public Translated<QGroupBox> {
   void commitNormal();
   void updateEnabled();
   void tellBending();
+  void showHeight();
+  void commitHeight();
 
   std::optional<ResectionPlane> plane_;
   QPushButton* place_;
@@ -74,6 +83,9 @@ class PlaneEditor : public Translated<QGroupBox> {
   QLabel* bendLabel_;
   QComboBox* bendMoves_;
   QPushButton* flat_;
+  QLabel* pointLabel_;
+  QSpinBox* point_;
+  QDoubleSpinBox* height_;
 };
 
 }  // namespace glisson

@@ -96,7 +96,7 @@ CuttingSurface surfaceOf(const ResectionPlane& plane) {
   return {plane, [bent](const Vec3& p) { return bent.above(p); }, bent.shape().mostCurved()};
 }
 
-/// Whether some of the mesh lies beside the bend's square, so that a cut may cross its border.
+/// Whether some of the mesh lies beside the bend's square, where the surface levels out and is curved more.
 bool reachesBorder(const SurfaceMesh& mesh, const BentSurface& bent) {
   const double half = bent.shape().halfSizeMm();
   return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec3& p) {
@@ -109,10 +109,8 @@ CutResult cutAlong(const SurfaceMesh& mesh, const ResectionPlane& plane, const E
     return cutForFloats(mesh, HalfSpace(plane), context);
   }
   CuttingSurface surface = surfaceOf(plane);
-  if (reachesBorder(mesh, BentSurface(plane))) {
-    // The slope jumps there, which no curvature tells: as fine as for one that asks for steps of 2 mm.
-    constexpr double kBorderStepMm = 2;
-    surface.mostCurved = std::max(surface.mostCurved, kCurvedCutMm / (kBorderStepMm * kBorderStepMm));
+  if (const BentSurface bent(plane); !reachesBorder(mesh, bent)) {
+    surface.mostCurved = bent.shape().mostCurvedInside();
   }
   return cutForFloats(mesh, surface, context);
 }

@@ -23,6 +23,81 @@ void extend(Range& range, double value) {
   range.high = std::max(range.high, value);
 }
 
+/// The net of the same cubic between the parameters `from` and `to`, by its polar form.
+Four between(const Four& c, double from, double to) {
+  const auto mixed = [&](std::array<double, 3> at) {
+    Four left = c;
+    for (std::size_t level = 0; level < 3; ++level) {
+      for (std::size_t n = 0; n < 3 - level; ++n) {
+        left[n] += at[level] * (left[n + 1] - left[n]);
+      }
+    }
+    return left[0];
+  };
+  return {mixed({from, from, from}), mixed({from, from, to}), mixed({from, to, to}), mixed({to, to, to})};
+}
+
+constexpr double kBeyond = kBendEase / 4;  // how far the parameter goes beyond 0..1
+
+/// The net over all parameters that are used.
+std::array<double, 16> widened(const std::array<double, 16>& h) {
+  std::array<double, 16> wide{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    const Four row = between({h[4 * j], h[4 * j + 1], h[4 * j + 2], h[4 * j + 3]}, -kBeyond, 1 + kBeyond);
+    std::copy(row.begin(), row.end(), wide.begin() + static_cast<std::ptrdiff_t>(4 * j));
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Four column = between({wide[i], wide[4 + i], wide[8 + i], wide[12 + i]}, -kBeyond, 1 + kBeyond);
+    for (std::size_t j = 0; j < 4; ++j) {
+      wide[4 * j + i] = column[j];
+    }
+  }
+  return wide;
+}
+
+/// What follows from a net of control points whose parameter is `perMm` of a millimetre; the ranges of slopes hold 0.
+struct NetBounds {
+  NetBounds(const std::array<double, 16>& h, double perMm)
+      : heights{*std::min_element(h.begin(), h.end()), *std::max_element(h.begin(), h.end())} {
+    double curved = 0;
+    double twisted = 0;
+    for (std::size_t a = 0; a < 4; ++a) {
+      for (std::size_t b = 0; b < 3; ++b) {
+        extend(slopesU, 3 * (h[4 * a + b + 1] - h[4 * a + b]) * perMm);
+        extend(slopesV, 3 * (h[4 * b + 4 + a] - h[4 * b + a]) * perMm);
+        if (b < 2) {
+          curved = std::max({curved, std::abs(h[4 * a + b + 2] - 2 * h[4 * a + b + 1] + h[4 * a + b]),
+                             std::abs(h[4 * b + 8 + a] - 2 * h[4 * b + 4 + a] + h[4 * b + a])});
+        }
+        if (a < 3) {
+          twisted = std::max(twisted, std::abs(h[4 * a + 4 + b + 1] - h[4 * a + 4 + b] - h[4 * a + b + 1] + h[4 * a + b]));
+        }
+      }
+    }
+    mostCurved = (6 * curved + 9 * twisted) * perMm * perMm;
+  }
+
+  Range heights;
+  Range slopesU;
+  Range slopesV;
+  double mostCurved = 0;  ///< 1/mm
+};
+
+/// How fast the place at which the cubic is taken moves along u or v, and how that changes, 1/mm.
+struct Pace {
+  double rate = 1;
+  double change = 0;
+};
+
+Pace paceAt(double mm, double halfSizeMm) {
+  const double beyond = std::abs(mm) - halfSizeMm;
+  if (!(beyond > 0)) {
+    return {};
+  }
+  const double width = kBendEase * halfSizeMm;
+  return beyond < width ? Pace{1 - beyond / width, -std::copysign(1 / width, mm)} : Pace{0, 0};
+}
+
 /// Turns `axis`, which is perpendicular to `from`, along with the smallest rotation from `from` to `to`.
 Vec3 turnedAlong(const Vec3& axis, const Vec3& from, const Vec3& to) {
   if (from == to) {
@@ -34,28 +109,14 @@ Vec3 turnedAlong(const Vec3& axis, const Vec3& from, const Vec3& to) {
 }  // namespace
 
 BendShape::BendShape(const Bend& bend) : perMm_(0.5 / bend.halfSizeMm), halfSizeMm_(bend.halfSizeMm) {
-  const auto& h = bend.heightsMm;
-  heights_ = {*std::min_element(h.begin(), h.end()), *std::max_element(h.begin(), h.end())};
-  double curved = 0;
-  double twisted = 0;
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = 0; b < 4; ++b) {
-      const auto alongU = [&](std::size_t i) { return h[4 * a + i]; };
-      const auto alongV = [&](std::size_t j) { return h[4 * j + a]; };
-      if (b < 3) {
-        extend(slopesU_, 3 * (alongU(b + 1) - alongU(b)) * perMm_);
-        extend(slopesV_, 3 * (alongV(b + 1) - alongV(b)) * perMm_);
-      }
-      if (b < 2) {
-        curved = std::max({curved, std::abs(alongU(b + 2) - 2 * alongU(b + 1) + alongU(b)),
-                           std::abs(alongV(b + 2) - 2 * alongV(b + 1) + alongV(b))});
-      }
-      if (a < 3 && b < 3) {
-        twisted = std::max(twisted, std::abs(h[4 * a + 4 + b + 1] - h[4 * a + 4 + b] - h[4 * a + b + 1] + h[4 * a + b]));
-      }
-    }
-  }
-  mostCurved_ = (6 * curved + 9 * twisted) * perMm_ * perMm_;
+  const std::array<double, 16>& h = bend.heightsMm;
+  const NetBounds inside(h, perMm_);
+  const NetBounds everywhere(widened(h), perMm_ / (1 + 2 * kBeyond));
+  heights_ = inside.heights;
+  slopesU_ = everywhere.slopesU;
+  slopesV_ = everywhere.slopesV;
+  mostCurvedInside_ = inside.mostCurved;
+  mostCurved_ = everywhere.mostCurved + std::max(slopesU_.most(), slopesV_.most()) / (kBendEase * halfSizeMm_);
   std::array<Four, 4> rows{};
   for (std::size_t j = 0; j < 4; ++j) {
     rows[j] = powerOf({h[4 * j], h[4 * j + 1], h[4 * j + 2], h[4 * j + 3]});
@@ -68,18 +129,9 @@ BendShape::BendShape(const Bend& bend) : perMm_(0.5 / bend.halfSizeMm), halfSize
   }
 }
 
-double BendShape::height(double u, double v) const {
-  const double s = 0.5 + perMm_ * std::clamp(u, -halfSizeMm_, halfSizeMm_);
-  const double t = 0.5 + perMm_ * std::clamp(v, -halfSizeMm_, halfSizeMm_);
-  const Four in{value(&power_[0], s), value(&power_[4], s), value(&power_[8], s), value(&power_[12], s)};
-  return value(in.data(), t);
-}
-
 BendShape::Local BendShape::at(double u, double v) const {
-  const bool insideU = std::abs(u) <= halfSizeMm_;
-  const bool insideV = std::abs(v) <= halfSizeMm_;
-  const double s = 0.5 + perMm_ * std::clamp(u, -halfSizeMm_, halfSizeMm_);
-  const double t = 0.5 + perMm_ * std::clamp(v, -halfSizeMm_, halfSizeMm_);
+  const double s = parameter(u);
+  const double t = parameter(v);
   Four in{};
   Four slopes{};
   Four curvatures{};
@@ -88,19 +140,17 @@ BendShape::Local BendShape::at(double u, double v) const {
     slopes[l] = slope(&power_[4 * l], s);
     curvatures[l] = curvature(&power_[4 * l], s);
   }
+  const Pace paceU = paceAt(u, halfSizeMm_);
+  const Pace paceV = paceAt(v, halfSizeMm_);
+  const double alongU = perMm_ * value(slopes.data(), t);
+  const double alongV = perMm_ * slope(in.data(), t);
   Local local;
-  local.height = value(in.data(), t);
-  if (insideU) {
-    local.du = perMm_ * value(slopes.data(), t);
-    local.duu = perMm_ * perMm_ * value(curvatures.data(), t);
-  }
-  if (insideV) {
-    local.dv = perMm_ * slope(in.data(), t);
-    local.dvv = perMm_ * perMm_ * curvature(in.data(), t);
-  }
-  if (insideU && insideV) {
-    local.duv = perMm_ * perMm_ * slope(slopes.data(), t);
-  }
+  local.height = height(u, v);
+  local.du = paceU.rate * alongU;
+  local.dv = paceV.rate * alongV;
+  local.duu = paceU.rate * paceU.rate * perMm_ * perMm_ * value(curvatures.data(), t) + paceU.change * alongU;
+  local.duv = paceU.rate * paceV.rate * perMm_ * perMm_ * slope(slopes.data(), t);
+  local.dvv = paceV.rate * paceV.rate * perMm_ * perMm_ * curvature(in.data(), t) + paceV.change * alongV;
   return local;
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 // Purpose: a resection plane that can be bent: a height field over it, the tensor-product cubic Bezier surface of 4x4 control
 // points. Frame: mm LPS. With v = normal x u, the control points stand over the points (i, j) / 3 of the square of 2 x halfSizeMm
-// around the plane's origin, so heights of 0 are the plane itself. Outside the square the heights go on as they are at its border.
-// Resected is {p : normal . (p - origin) >= h(u, v)}. The bounds follow from the control points: a Bezier surface lies in their
-// hull. Source: G. Farin, Curves and Surfaces for CAGD, 2002. Throws PlanningError where a bend is no such surface.
+// around the plane's origin, so heights of 0 are the plane itself. Beside the square the surface goes on without a kink and levels
+// out: d beyond the border the height is that of the cubic at d - d^2 / (2 w) beyond it, w = kBendEase x halfSizeMm, and from w on
+// at w / 2; so it stands still from there. Resected is {p : normal . (p - origin) >= h(u, v)}. The bounds follow from the control
+// points: a Bezier surface lies in their hull. Source: G. Farin, Curves and Surfaces for CAGD, 2002. Throws PlanningError where a
+// bend is no such surface.
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -27,6 +30,8 @@ inline constexpr const char* kBendOrder = "[4 j + i]: i along u, j along v";
 
 inline constexpr double kLeastBendHalfSizeMm = 10;
 inline constexpr double kMostBendMm = 1000;  ///< of half size and heights
+/// Over which width beside the square the surface levels out, as a share of the half size.
+inline constexpr double kBendEase = 1.0 / 3;
 
 /// A plane of a resection; one without a bend is flat, and a HalfSpace is one.
 struct ResectionPlane : HalfSpace {
@@ -50,32 +55,52 @@ class BendShape {
  public:
   explicit BendShape(const Bend& bend);
 
-  [[nodiscard]] double height(double u, double v) const;
+  [[nodiscard]] double height(double u, double v) const {
+    const double s = parameter(u);
+    const double t = parameter(v);
+    const double* p = power_.data();
+    const auto along = [s](const double* c) { return c[0] + s * (c[1] + s * (c[2] + s * c[3])); };
+    return along(p) + t * (along(p + 4) + t * (along(p + 8) + t * along(p + 12)));
+  }
   struct Local {
     double height = 0;
-    double du = 0;  ///< slopes, without unit; 0 across the square's border
+    double du = 0;  ///< slopes, without unit
     double dv = 0;
-    double duu = 0;  ///< 1/mm
+    double duu = 0;  ///< 1/mm; they jump at the square's border
     double duv = 0;
     double dvv = 0;
   };
   [[nodiscard]] Local at(double u, double v) const;
 
-  /// What bounds height and slopes everywhere; the slopes' ranges hold 0.
+  /// Of the control points; the heights over the square are within.
   [[nodiscard]] const Range& heights() const { return heights_; }
+  /// What bounds the slopes everywhere; holds 0.
   [[nodiscard]] const Range& slopesU() const { return slopesU_; }
   [[nodiscard]] const Range& slopesV() const { return slopesV_; }
-  /// The largest second derivative in any direction is at most this, 1/mm.
+  /// The largest second derivative in any direction is at most this, 1/mm: over the square, and everywhere.
+  [[nodiscard]] double mostCurvedInside() const { return mostCurvedInside_; }
   [[nodiscard]] double mostCurved() const { return mostCurved_; }
   [[nodiscard]] double halfSizeMm() const { return halfSizeMm_; }
 
  private:
+  /// The cubic's parameter at a place along u or v: 0..1 over the square, and kBendEase / 4 beyond that far beside it.
+  [[nodiscard]] double parameter(double mm) const {
+    const double beyond = std::abs(mm) - halfSizeMm_;
+    if (!(beyond > 0)) {
+      return 0.5 + perMm_ * mm;
+    }
+    const double width = kBendEase * halfSizeMm_;
+    const double d = std::min(beyond, width);
+    return 0.5 + perMm_ * std::copysign(halfSizeMm_ + d * (1 - 0.5 * d / width), mm);
+  }
+
   double perMm_ = 0;  ///< from mm to the square's parameter, 0..1
   double halfSizeMm_ = 0;
   std::array<double, 16> power_{};  ///< [4 l + k] of t^l s^k
   Range heights_;
   Range slopesU_;
   Range slopesV_;
+  double mostCurvedInside_ = 0;
   double mostCurved_ = 0;
 };
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "planning/volumetry/flat_stretches.h"
 #include "planning/volumetry/island_depth.h"
+#include "planning/volumetry/near_surface.h"
 #include "planning/volumetry/resected.h"
 #include "planning/volumetry/side_pieces.h"
 #include "planning/volumetry/tumour_depth.h"
@@ -26,18 +28,29 @@ struct PlanInImage {
     return sides && (sides->anySwitched(PlanSide::Resected) || sides->anySwitched(PlanSide::Remnant));
   }
 };
+
+/// Voxels twice: flat planes take whole runs, bent ones block by block.
+struct Body {
+  Body() = default;
+  Body(const Mask& mask, const Vec3& spacing, const Mask* within = nullptr) : rows(rowsOf(mask, within)), blocks(rows, spacing) {}
+  VoxelRows rows;
+  RowBlocks blocks;
+};
+
+/// The margin of the tumour at a place.
+using MarginOf = std::function<Margin(std::size_t)>;
 }  // namespace
 
 struct PlanAssessor::Impl {
   struct Part {
     std::string id;
     std::string name;
-    VoxelRows rows;
+    Body body;
   };
 
   ImageGeometry geometry;
-  VoxelRows liver;           ///< L
-  VoxelRows lesionsInLiver;  ///< T and L
+  Body liver;           ///< L
+  Body lesionsInLiver;  ///< T and L
   double tumourMl = 0;
   std::vector<Part> tumours;       ///< every lesion's own voxels
   std::vector<TumourBoxes> boxes;  ///< of the tumours
@@ -47,13 +60,19 @@ struct PlanAssessor::Impl {
   [[nodiscard]] double ml(std::int64_t units) const {
     return static_cast<double>(units) / kUnitsPerVoxel * geometry.voxelVolumeMm3() * kMlPerMm3;
   }
+  [[nodiscard]] Resected resected(const Body& body, const PlanInImage& plan) const {
+    return hasBends(plan.resections) ? resect(body.blocks, geometry.spacing, plan.resections)
+                                     : resect(body.rows, geometry.spacing, plan.resections);
+  }
   [[nodiscard]] PlanAssessment volumes(const PlanInImage& plan) const;
   [[nodiscard]] PlanAssessment assess(const ResectionPlan& source, bool withIslands) const;
   void addVolumes(PlanAssessment& result, const Resected& inLiver, std::int64_t resected, std::int64_t diseased) const;
   [[nodiscard]] std::vector<IslandAssessment> listIslands(const PlanInImage& plan, const SidePieces& sides) const;
   [[nodiscard]] std::vector<TumourAssessment> assessTumours(const PlanInImage& plan) const;
   [[nodiscard]] std::vector<VesselCrossing> findCrossings(const PlanInImage& plan) const;
-  [[nodiscard]] TumourAssessment assessTumour(std::size_t place, const PlanInImage& plan, const CutDistance& cut) const;
+  /// `whole`: all of the resection surface, which is there where islands are switched.
+  [[nodiscard]] TumourAssessment assessTumour(std::size_t place, const PlanInImage& plan, const std::optional<CutDistance>& whole,
+                                              const MarginOf& marginAt) const;
 };
 
 namespace {
@@ -78,8 +97,8 @@ std::string resectionName(const Resection& resection, std::size_t index) {
 
 PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>()) {
   impl_->geometry = source.liver->geometry;
-  impl_->liver = rowsOf(source.liver->liver);
-  impl_->lesionsInLiver = rowsOf(source.liver->tumour, &source.liver->liver);
+  impl_->liver = Body(source.liver->liver, impl_->geometry.spacing);
+  impl_->lesionsInLiver = Body(source.liver->tumour, impl_->geometry.spacing, &source.liver->liver);
   impl_->tumourMl = source.liver->tumourMl();
   if (!source.model) {
     return;
@@ -92,10 +111,10 @@ PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>())
     }
     const auto& mask = masks[static_cast<std::size_t>(structure.sourceIndex)].mask;
     if (mask && isLesion(structure.kind)) {
-      impl_->tumours.push_back({structure.id, structure.name, rowsOf(*mask)});
-      impl_->boxes.emplace_back(impl_->tumours.back().rows, impl_->geometry.spacing);
+      impl_->tumours.push_back({structure.id, structure.name, Body(*mask, impl_->geometry.spacing)});
+      impl_->boxes.emplace_back(impl_->tumours.back().body.rows, impl_->geometry.spacing);
     } else if (mask && isVessel(structure.kind)) {
-      impl_->vessels.push_back({structure.id, structure.name, rowsOf(*mask, &source.liver->liver)});
+      impl_->vessels.push_back({structure.id, structure.name, Body(*mask, impl_->geometry.spacing, &source.liver->liver)});
     }
   }
 }
@@ -133,11 +152,12 @@ VoxelRows voxelsAlong(const std::vector<CutPiece>& pieces, const VoxelRows& rows
 }
 
 /// The resection surface once islands are where they belong.
-std::vector<CutPiece> surfaceOf(const VoxelRows& rows, const Vec3& spacing, const PlanInImage& plan) {
-  std::vector<CutPiece> pieces = cutSurface(rows, spacing, plan.resections);
+std::vector<CutPiece> surfaceOf(const Body& body, const Vec3& spacing, const PlanInImage& plan) {
+  std::vector<CutPiece> pieces = hasBends(plan.resections) ? cutSurface(body.blocks, spacing, plan.resections)
+                                                           : cutSurface(body.rows, spacing, plan.resections);
   if (plan.hasSwitched()) {
     std::vector<std::size_t> origin;
-    const VoxelRows voxels = voxelsAlong(pieces, rows, origin);
+    const VoxelRows voxels = voxelsAlong(pieces, body.rows, origin);
     pieces = cutSurface(voxels, spacing, plan.resections);
     std::erase_if(pieces, [&](const CutPiece& piece) { return !plan.sides->separates(piece); });
     for (CutPiece& piece : pieces) {
@@ -150,8 +170,8 @@ std::vector<CutPiece> surfaceOf(const VoxelRows& rows, const Vec3& spacing, cons
 
 void PlanAssessor::Impl::addVolumes(PlanAssessment& result, const Resected& inLiver, std::int64_t resected,
                                     std::int64_t diseased) const {
-  const std::int64_t total = unitsOf(liver);
-  const std::int64_t functional = total - unitsOf(lesionsInLiver);
+  const std::int64_t total = unitsOf(liver.rows);
+  const std::int64_t functional = total - unitsOf(lesionsInLiver.rows);
   const std::int64_t functionalRemnant = functional - (resected - diseased);
   result.totalMl = ml(total);
   result.tumourMl = tumourMl;
@@ -170,8 +190,8 @@ void PlanAssessor::Impl::addVolumes(PlanAssessment& result, const Resected& inLi
 }
 
 PlanAssessment PlanAssessor::Impl::volumes(const PlanInImage& plan) const {
-  Resected inLiver = resect(liver, geometry.spacing, plan.resections);
-  const std::int64_t total = unitsOf(liver);
+  Resected inLiver = resected(liver, plan);
+  const std::int64_t total = unitsOf(liver.rows);
   const std::int64_t byPlanes = inLiver.totalUnits();
 
   PlanAssessment result;
@@ -184,23 +204,23 @@ PlanAssessment PlanAssessor::Impl::volumes(const PlanInImage& plan) const {
                         " does not divide the liver: " + (inLiver.units[r] == 0 ? "nothing" : "all of it") + " is resected.";
     }
   }
-  std::int64_t resected = byPlanes;
-  std::int64_t diseased = resect(lesionsInLiver, geometry.spacing, plan.resections).totalUnits();
+  std::int64_t taken = byPlanes;
+  std::int64_t diseased = resected(lesionsInLiver, plan).totalUnits();
   if (plan.hasSwitched()) {
-    resected += plan.sides->switchedUnits(liver, plan.resections);
-    diseased += plan.sides->switchedUnits(lesionsInLiver, plan.resections);
+    taken += plan.sides->switchedUnits(liver.rows, plan.resections);
+    diseased += plan.sides->switchedUnits(lesionsInLiver.rows, plan.resections);
     std::fill(inLiver.cutAreaMm2.begin(), inLiver.cutAreaMm2.end(), 0.0);
     for (const CutPiece& piece : surfaceOf(liver, geometry.spacing, plan)) {
       inLiver.cutAreaMm2[piece.resection] += areaOf(piece.polygon);
     }
   }
-  addVolumes(result, inLiver, resected, diseased);
+  addVolumes(result, inLiver, taken, diseased);
   return result;
 }
 
 std::vector<IslandAssessment> PlanAssessor::Impl::listIslands(const PlanInImage& plan, const SidePieces& sides) const {
   std::vector<std::int64_t> diseased;
-  (void)sides.switchedUnits(lesionsInLiver, plan.resections, &diseased);
+  (void)sides.switchedUnits(lesionsInLiver.rows, plan.resections, &diseased);
   std::vector<IslandAssessment> islands;
   for (std::size_t n = 0; n < sides.pieces().size(); ++n) {
     const SidePiece& piece = sides.pieces()[n];
@@ -214,34 +234,34 @@ std::vector<IslandAssessment> PlanAssessor::Impl::listIslands(const PlanInImage&
   return islands;
 }
 
-TumourAssessment PlanAssessor::Impl::assessTumour(std::size_t place, const PlanInImage& plan, const CutDistance& cut) const {
+TumourAssessment PlanAssessor::Impl::assessTumour(std::size_t place, const PlanInImage& plan,
+                                                  const std::optional<CutDistance>& whole, const MarginOf& marginAt) const {
   const Part& tumour = tumours[place];
+  const VoxelRows& rows = tumour.body.rows;
   TumourAssessment result;
   result.id = tumour.id;
   result.name = tumour.name;
-  std::int64_t resected = resect(tumour.rows, geometry.spacing, plan.resections).totalUnits();
+  std::int64_t taken = resected(tumour.body, plan).totalUnits();
   if (plan.hasSwitched()) {
-    resected += plan.sides->switchedUnits(tumour.rows, plan.resections);
+    taken += plan.sides->switchedUnits(rows, plan.resections);
   }
-  if (resected > 0 && resected < unitsOf(tumour.rows)) {
+  if (taken > 0 && taken < unitsOf(rows)) {
     result.state = TumourState::Cut;
-    if (plan.hasSwitched() && cut.pieces().empty()) {
-      return result;  // it lies beside the liver, where nothing divides the sides any more
-    }
-    if (plan.hasSwitched()) {
-      const CutDistance::Way way = greatestDepth(tumour.rows, geometry.spacing, plan.resections, *plan.sides, cut);
-      const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : cut.pieces()[way.piece].normal;
+    if (!plan.hasSwitched()) {
+      Vec3 normal;
+      result.marginMm = -greatestDepth(rows, geometry.spacing, plan.resections, normal);
+      result.marginAtLeastMm = *result.marginMm - resolutionMm(normal, geometry.spacing);
+    } else if (!whole->pieces().empty()) {  // else it lies beside the liver, where nothing divides the sides any more
+      const CutDistance::Way way = greatestDepth(rows, geometry.spacing, plan.resections, *plan.sides, *whole);
+      const CutPiece& piece = whole->pieces()[way.piece];
+      const Vec3 along = way.mm > kOnPlaneMm ? Vec3((way.to - way.from) / way.mm) : piece.normal;
       result.marginMm = -way.mm;
-      result.marginAtLeastMm = -way.mm - cut.pieces()[way.piece].flatteningMm - resolutionMm(along, geometry.spacing);
-      return result;
+      result.marginAtLeastMm = -way.mm - piece.flatteningMm - resolutionMm(along, geometry.spacing);
     }
-    Vec3 normal;
-    result.marginMm = -greatestDepth(tumour.rows, geometry.spacing, plan.resections, normal);
-    result.marginAtLeastMm = *result.marginMm - resolutionMm(normal, geometry.spacing);
     return result;
   }
-  result.state = resected == 0 ? TumourState::Left : TumourState::Removed;
-  const Margin margin = marginOf(boxes[place], geometry.spacing, cut);
+  result.state = taken == 0 ? TumourState::Left : TumourState::Removed;
+  const Margin margin = marginAt(place);
   if (!std::isfinite(margin.mm)) {
     return result;
   }
@@ -272,7 +292,7 @@ PlanAssessment PlanAssessor::volumes(const ResectionPlan& source) const {
   PlanInImage plan{source, toImage(source, impl_->geometry), {}};
   std::string warning;
   if (!source.islands.empty()) {
-    plan.sides = sidesOf(impl_->liver, impl_->geometry, plan, warning);
+    plan.sides = sidesOf(impl_->liver.rows, impl_->geometry, plan, warning);
   }
   PlanAssessment result = impl_->volumes(plan);
   if (!warning.empty()) {
@@ -283,22 +303,35 @@ PlanAssessment PlanAssessor::volumes(const ResectionPlan& source) const {
 
 std::vector<TumourAssessment> PlanAssessor::Impl::assessTumours(const PlanInImage& plan) const {
   std::vector<TumourAssessment> assessed(tumours.size());
-  if (!tumours.empty()) {
-    const CutDistance cut(surfaceOf(liver, geometry.spacing, plan));
-    parallelFor(tumours.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        assessed[n] = assessTumour(n, plan, cut);
-      }
-    });
+  if (tumours.empty()) {
+    return assessed;
   }
+  // Islands decide what is left of the surface, so none of it can be left out; of flat planes it is made at once.
+  std::optional<CutDistance> whole;
+  std::vector<std::size_t> cut;
+  if (plan.hasSwitched() || !hasBends(plan.resections)) {
+    whole.emplace(surfaceOf(liver, geometry.spacing, plan));
+  } else {
+    cut = cutBlocks(liver.blocks, geometry.spacing, plan.resections);
+  }
+  const MarginOf margin = [&](std::size_t n) {
+    return whole ? marginOf(boxes[n], geometry.spacing, *whole)
+                 : marginOf(boxes[n], geometry.spacing,
+                            CutDistance(surfaceNear(boxes[n], liver.blocks, cut, geometry.spacing, plan.resections)));
+  };
+  parallelFor(tumours.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      assessed[n] = assessTumour(n, plan, whole, margin);
+    }
+  });
   return assessed;
 }
 
 std::vector<VesselCrossing> PlanAssessor::Impl::findCrossings(const PlanInImage& plan) const {
   std::vector<VesselCrossing> crossings;
   for (const Part& vessel : vessels) {
-    const std::vector<CutPiece> pieces = surfaceOf(vessel.rows, geometry.spacing, plan);
-    const auto found = vesselCrossings(vessel.id, vessel.name, vessel.rows, pieces, geometry);
+    const std::vector<CutPiece> pieces = surfaceOf(vessel.body, geometry.spacing, plan);
+    const auto found = vesselCrossings(vessel.id, vessel.name, vessel.body.rows, pieces, geometry);
     crossings.insert(crossings.end(), found.begin(), found.end());
   }
   return crossings;
@@ -308,7 +341,7 @@ PlanAssessment PlanAssessor::Impl::assess(const ResectionPlan& source, bool with
   PlanInImage plan{source, toImage(source, geometry), {}};
   std::string warning;
   if (!source.islands.empty()) {
-    plan.sides = sidesOf(liver, geometry, plan, warning);
+    plan.sides = sidesOf(liver.rows, geometry, plan, warning);
   }
   PlanAssessment result;
   std::vector<TumourAssessment> assessed;
@@ -317,7 +350,7 @@ PlanAssessment PlanAssessor::Impl::assess(const ResectionPlan& source, bool with
   const std::array<std::function<void()>, 4> work{[&] { assessed = assessTumours(plan); }, [&] { crossings = findCrossings(plan); },
                                                   [&] {
                                                     if (withIslands && !plan.sides && !source.resections.empty()) {
-                                                      found.emplace(liver, geometry.spacing, plan.resections);
+                                                      found.emplace(liver.rows, geometry.spacing, plan.resections);
                                                     }
                                                   },
                                                   [&] { result = volumes(plan); }};

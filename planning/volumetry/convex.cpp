@@ -2,25 +2,42 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glisson {
 
-Polygon clipped(const Polygon& polygon, const ImagePlane& plane) {
-  Polygon kept;
-  kept.reserve(polygon.size() + 1);
+namespace {
+/// Calls keep(corner) for the corners of the polygon's part with distance >= 0.
+template <typename Keep>
+void clip(std::span<const Vec3> polygon, const ImagePlane& plane, const Keep& keep) {
+  double da = polygon.empty() ? 0.0 : plane.distance(polygon[0]);
   for (std::size_t n = 0; n < polygon.size(); ++n) {
     const Vec3& a = polygon[n];
     const Vec3& b = polygon[(n + 1) % polygon.size()];
-    const double da = plane.distance(a);
     const double db = plane.distance(b);
     if (da >= 0) {
-      kept.push_back(a);
+      keep(a);
     }
     if ((da > 0 && db < 0) || (da < 0 && db > 0)) {
-      kept.push_back(a + (da / (da - db)) * (b - a));
+      keep(a + (da / (da - db)) * (b - a));
     }
+    da = db;
   }
+}
+
+/// A quadrangle that is clipped twice: made without asking for memory.
+struct FewCorners {
+  std::array<Vec3, 12> corners;  ///< no more than 9, with rounding
+  std::size_t count = 0;
+  [[nodiscard]] std::span<const Vec3> all() const { return {corners.data(), count}; }
+};
+}  // namespace
+
+Polygon clipped(const Polygon& polygon, const ImagePlane& plane) {
+  Polygon kept;
+  kept.reserve(polygon.size() + 1);
+  clip(polygon, plane, [&](const Vec3& corner) { kept.push_back(corner); });
   return kept.size() < 3 ? Polygon() : kept;
 }
 
@@ -42,22 +59,27 @@ Polygon sectionOf(const Box& box, const ImagePlane& plane) {
   plane.normal.cwiseAbs().maxCoeff(&axis);
   const Eigen::Index u = (axis + 1) % 3;
   const Eigen::Index v = (axis + 2) % 3;
-  Polygon polygon(4, box.centre);
+  FewCorners section{{box.centre, box.centre, box.centre, box.centre}, 4};
   for (std::size_t n = 0; n < 4; ++n) {
-    polygon[n][u] += n == 1 || n == 2 ? box.half[u] : -box.half[u];
-    polygon[n][v] += n >= 2 ? box.half[v] : -box.half[v];
-    polygon[n][axis] -= plane.distance(polygon[n]) / plane.normal[axis];
+    Vec3& corner = section.corners[n];
+    corner[u] += n == 1 || n == 2 ? box.half[u] : -box.half[u];
+    corner[v] += n >= 2 ? box.half[v] : -box.half[v];
+    corner[axis] -= plane.distance(corner) / plane.normal[axis];
   }
   for (const double side : {1.0, -1.0}) {
     const ImagePlane face{side * Vec3::Unit(axis), box.half[axis] - side * box.centre[axis]};
     // A section that lies in the face itself must not be lost to rounding.
+    const std::span<const Vec3> before = section.all();
     const bool onFace =
-        std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& p) { return std::abs(face.distance(p)) <= kOnPlaneMm; });
+        std::all_of(before.begin(), before.end(), [&](const Vec3& p) { return std::abs(face.distance(p)) <= kOnPlaneMm; });
     if (!onFace) {
-      polygon = clipped(polygon, face);
+      FewCorners kept;
+      clip(before, face, [&](const Vec3& corner) { kept.corners[kept.count++] = corner; });
+      section.corners = kept.corners;
+      section.count = kept.count < 3 ? 0 : kept.count;
     }
   }
-  return polygon;
+  return {section.all().begin(), section.all().end()};
 }
 
 Coplanar coplanar(const ImagePlane& a, const ImagePlane& b, const Vec3& point, double reach) {

@@ -9,6 +9,25 @@ namespace {
 constexpr double kFarMm = 1e9;
 
 bool isBent(const ImageResection& resection) { return !resection.bends.empty(); }
+
+/// How far the surface can be from the plane that stands for it in a voxel where nothing is curved more than this: a half from the
+/// touching plane, a sixth from its move to the mean height.
+double flatteningOf(double mostCurved, double u, double v) { return (1.0 / 2 + 1.0 / 6) * mostCurved * (u * u + v * v); }
+
+double slackOf(const BentSurface& surface, const Vec3& spacing) {
+  const double u = surface.u().cwiseAbs().dot(0.5 * spacing);
+  const double v = surface.v().cwiseAbs().dot(0.5 * spacing);
+  return flatteningOf(surface.shape().mostCurved(), u, v);
+}
+
+/// How far above() can be from its value at the box's centre, by the touching plane there and the surface's curvature.
+double reachByCurvature(const BentSurface& surface, const Box& box) {
+  const BendShape::Local local = surface.localAt(box.centre);
+  const double u = surface.u().cwiseAbs().dot(box.half);
+  const double v = surface.v().cwiseAbs().dot(box.half);
+  return (surface.normal() - local.du * surface.u() - local.dv * surface.v()).cwiseAbs().dot(box.half) +
+         0.5 * surface.shape().mostCurved() * (u * u + v * v);
+}
 }  // namespace
 
 bool hasBends(const std::vector<ImageResection>& plan) { return std::any_of(plan.begin(), plan.end(), isBent); }
@@ -30,14 +49,9 @@ double flatteningMm(const Box& voxel, const BentSurface& surface) {
   const double u = surface.u().cwiseAbs().dot(voxel.half);
   const double v = surface.v().cwiseAbs().dot(voxel.half);
   const Vec3 from = voxel.centre - surface.origin();
-  const auto onBorder = [&](const Vec3& axis, double half) {
-    return std::abs(std::abs(axis.dot(from)) - shape.halfSizeMm()) <= half + kOnPlaneMm;
-  };
-  // A half from the touching plane, a sixth from its move to the mean height.
-  double off = (1.0 / 2 + 1.0 / 6) * shape.mostCurved() * (u * u + v * v);
-  off += onBorder(surface.u(), u) ? shape.slopesU().most() * u : 0;
-  off += onBorder(surface.v(), v) ? shape.slopesV().most() * v : 0;
-  return off;
+  const double farthest = std::max(std::abs(surface.u().dot(from)) + u, std::abs(surface.v().dot(from)) + v);
+  const double curved = farthest < shape.halfSizeMm() ? shape.mostCurvedInside() : shape.mostCurved();
+  return flatteningOf(curved, u, v);
 }
 
 FlatStretches::FlatStretches(const std::vector<ImageResection>& plan, const Vec3& spacing) : plan_(plan), spacing_(spacing) {
@@ -60,6 +74,7 @@ FlatStretches::FlatStretches(const std::vector<ImageResection>& plan, const Vec3
                         r,
                         flat_[r].planes.size(),
                         surface.reach(0.5 * spacing),
+                        slackOf(surface, spacing),
                         {rise - alongU.high - alongV.high, rise - alongU.low - alongV.low},
                         0});
       flat_[r].planes.emplace_back();
@@ -82,6 +97,31 @@ void FlatStretches::decide(Bent& bent, const RowRun& rest) {
   const double approach = above > 0 ? -bent.perVoxel.low : bent.perVoxel.high;
   const double voxels = approach > 0 ? std::ceil(clear / approach) : rest.n;
   bent.until = rest.i + (voxels < rest.n ? std::max(1, static_cast<int>(voxels)) : rest.n);
+}
+
+const std::vector<ImageResection>* FlatStretches::over(const Box& box) {
+  if (bends_.empty()) {
+    return &plan_;
+  }
+  for (const Bent& bent : bends_) {
+    const double above = bent.surface->above(box.centre);
+    const double clear = std::abs(above) - bent.slack;
+    if (!(clear > bent.surface->reach(box.half)) && !(clear > reachByCurvature(*bent.surface, box))) {
+      return nullptr;
+    }
+    flat_[bent.resection].planes[bent.plane] = {bent.surface->normal(), above > 0 ? kFarMm : -kFarMm};
+  }
+  return &flat_;
+}
+
+double mostFlatteningMm(const std::vector<ImageResection>& plan, const Vec3& spacing) {
+  double most = 0;
+  for (const ImageResection& resection : plan) {
+    for (const BentSurface& surface : resection.bends) {
+      most = std::max(most, slackOf(surface, spacing));
+    }
+  }
+  return most;
 }
 
 }  // namespace glisson

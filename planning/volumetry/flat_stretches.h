@@ -39,12 +39,16 @@ class FlatStretches {
     }
   }
 
+  /// The same for a box of voxels that every bent plane leaves on one side altogether; null where one may cross it.
+  [[nodiscard]] const std::vector<ImageResection>* over(const Box& box);
+
  private:
   struct Bent {
     const BentSurface* surface = nullptr;
     std::size_t resection = 0;
     std::size_t plane = 0;  ///< in flat_
     double reach = 0;       ///< of one voxel
+    double slack = 0;       ///< how far its stand-ins may be from it, along its normal
     Range perVoxel;         ///< how above() may change from one voxel to the next of a run
     int until = 0;          ///< the plane in flat_ is right up to this voxel
   };
@@ -59,9 +63,10 @@ class FlatStretches {
 /// The plane that stands for the surface in one voxel.
 ImagePlane planeIn(const Box& voxel, const BentSurface& surface);
 
-/// How far the surface can be from planeIn() within the voxel, mm: by its curvature and, on the square's border, by the slope's
-/// jump.
+/// How far the surface can be from planeIn() within the voxel, mm, by its curvature.
 double flatteningMm(const Box& voxel, const BentSurface& surface);
+/// The most that flatteningMm() is for any voxel of a plan; 0 for flat ones.
+double mostFlatteningMm(const std::vector<ImageResection>& plan, const Vec3& spacing);
 
 bool hasBends(const std::vector<ImageResection>& plan);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planning/volumetry/convex.h"
+#include "planning/volumetry/row_blocks.h"
 
 namespace glisson {
 
@@ -30,6 +31,8 @@ struct Resected {
   [[nodiscard]] std::int64_t totalUnits() const;
 };
 Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
+/// The same; faster where planes are bent, and to the unit what the blocks' rows give where all are.
+Resected resect(const RowBlocks& blocks, const Vec3& spacing, const std::vector<ImageResection>& plan);
 
 /// A piece of the resection surface inside one run of voxels.
 struct CutPiece {
@@ -42,5 +45,9 @@ struct CutPiece {
 /// The resection surface inside the voxels: the boundary of the plan's region, piece by piece. A bent plane's pieces are flat in
 /// each voxel, within flatteningMm of the surface.
 std::vector<CutPiece> cutSurface(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
+/// The same, in the same order; a piece's run is one of the whole's. Faster where planes are bent.
+std::vector<CutPiece> cutSurface(const RowBlocks& blocks, const Vec3& spacing, const std::vector<ImageResection>& plan);
+/// The blocks that may have pieces of the surface, in order.
+std::vector<std::size_t> cutBlocks(const RowBlocks& blocks, const Vec3& spacing, const std::vector<ImageResection>& plan);
 
 }  // namespace glisson

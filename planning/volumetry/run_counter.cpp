@@ -102,8 +102,18 @@ void RunCounter::count(const RowRun& run) {
   }
 }
 
-RunSide RunCounter::sideOfRun(const RowRun& run) const {
-  const Box box = boxOf(run, spacing_);
+bool RunCounter::countUndivided(const Box& box, std::size_t voxels) {
+  const Reached reached = reachedBy(box);
+  if (reached.planesAcross > 0) {
+    return false;
+  }
+  if (reached.resections > 0) {
+    result_.units[reached.first] += static_cast<std::int64_t>(voxels) << 32;
+  }
+  return true;
+}
+
+RunSide RunCounter::sideOfBox(const Box& box) const {
   RunSide side = RunSide::Outside;
   for (const ImageResection& resection : plan_) {
     std::size_t planesAcross = 0;

@@ -35,11 +35,14 @@ class RunCounter {
 
   /// Adds the run's units to the result, per resection.
   void count(const RowRun& run);
+  /// Adds `voxels` voxels of a box whole to what has all of it, where no plane divides it; false where one does.
+  bool countUndivided(const Box& box, std::size_t voxels);
   /// The section's area, where the plan is one plane: every run it cuts was counted in closed form.
   [[nodiscard]] double singlePlaneArea() const { return singlePlaneArea_; }
 
   /// Whether the run is on one side altogether, and on which.
-  [[nodiscard]] RunSide sideOfRun(const RowRun& run) const;
+  [[nodiscard]] RunSide sideOfRun(const RowRun& run) const { return sideOfBox(boxOf(run, spacing_)); }
+  [[nodiscard]] RunSide sideOfBox(const Box& box) const;
   /// The plane that cuts the run where nothing but this plane decides what is taken of it; none elsewhere.
   [[nodiscard]] OnlyPlane onlyPlaneAcross(const RowRun& run) const;
 

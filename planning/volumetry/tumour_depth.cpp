@@ -50,6 +50,15 @@ void keepProjection(const Vec3& p, const std::vector<ImagePlane>& planes, double
     }
   }
 }
+
+/// What the distance of a point outside to the surface surely does not pass: that of a point of it, where the plane that touches it
+/// over the point would be met.
+double mostDepth(const Vec3& p, const BentSurface& surface) {
+  const HalfSpace touching = surface.tangentAt(p);
+  const Vec3 on = surface.foot(p - touching.normal.dot(p - touching.origin) * touching.normal);
+  return std::min(-surface.above(p), (on - p).norm());
+}
+
 /// Where to begin: the nearest of the surface's points around the point under or over `p`.
 Vec3 nearestSample(const Vec3& p, const BentSurface& surface) {
   constexpr int kSteps = 6;
@@ -128,7 +137,7 @@ void keepBentProjection(const Vec3& p, const ImageResection& resection, double& 
     }
   }
   if (resection.planes.empty() && resection.bends.size() == 1) {
-    largest = std::min(largest, (start - p).norm());  // a point of the surface
+    largest = std::min({largest, (start - p).norm(), mostDepth(p, resection.bends[0])});  // to points of the surface
   }
   if (largest < best) {
     best = largest;
@@ -154,12 +163,13 @@ double depthOf(const Vec3& p, const std::vector<ImageResection>& plan, Vec3& alo
   return depth;
 }
 
-/// What the depth of a point surely does not pass, without a projection: a single bent plane is no farther than along its normal.
-double mostDepth(const Vec3& p, const std::vector<ImageResection>& plan) {
+/// What bounds the depth of a point without a projection: a single bent plane is no farther than along its normal, or than what
+/// `finely` tells.
+double mostDepth(const Vec3& p, const std::vector<ImageResection>& plan, bool finely) {
   double most = kInfinity;
   for (const ImageResection& resection : plan) {
     if (resection.planes.empty() && resection.bends.size() == 1) {
-      most = std::min(most, -resection.bends[0].above(p));
+      most = std::min(most, finely ? mostDepth(p, resection.bends[0]) : -resection.bends[0].above(p));
     }
   }
   return most;
@@ -177,19 +187,24 @@ double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vect
     const Box box = boxOf(run, spacing);
     for (unsigned corner = 0; corner < 8; ++corner) {
       const Vec3 p = cornerOf(box, corner);
-      corners.push_back({p, mostDepth(p, plan)});
+      if (const double most = mostDepth(p, plan, false); most > 0) {
+        corners.push_back({p, most});
+      }
     }
   }
-  // The deepest ones first: few of the others have to be projected.
-  std::stable_sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.most > b.most; });
+  // The deepest ones first: few of the others have to be looked at.
+  const auto shallower = [](const Corner& a, const Corner& b) { return a.most < b.most; };
+  std::make_heap(corners.begin(), corners.end(), shallower);
   double greatest = 0;
   normal = Vec3::UnitZ();
-  for (const Corner& corner : corners) {
-    if (corner.most <= greatest) {
-      break;
+  for (auto end = corners.end(); end != corners.begin() && corners.front().most > greatest; --end) {
+    const Vec3 p = corners.front().p;
+    std::pop_heap(corners.begin(), end, shallower);
+    if (!(mostDepth(p, plan, true) > greatest)) {
+      continue;
     }
     Vec3 along = Vec3::UnitZ();
-    const double depth = depthOf(corner.p, plan, along);
+    const double depth = depthOf(p, plan, along);
     if (std::isfinite(depth) && depth > greatest) {
       greatest = depth;
       normal = along;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -56,7 +57,11 @@ double obliquity(const VoxelRows& rows, const Vec3& spacing, const Vec3& centre,
   Vec3 sum = Vec3::Zero();
   Mat3 squares = Mat3::Zero();
   double count = 0;
-  for (const RowRun& run : rows.runs) {
+  // The runs are by slices: only those within the ball are looked at.
+  const auto first = std::partition_point(rows.runs.begin(), rows.runs.end(),
+                                          [&](const RowRun& run) { return run.k * spacing[2] < centre[2] - radius; });
+  for (auto at = first; at != rows.runs.end() && at->k * spacing[2] <= centre[2] + radius; ++at) {
+    const RowRun& run = *at;
     const double y = run.j * spacing[1] - centre[1];
     const double z = run.k * spacing[2] - centre[2];
     if (y * y + z * z > radius * radius) {

@@ -135,6 +135,7 @@ TEST_F(BentViewTest, ADraggedControlPointMovesAlongTheNormalInOneStep) {
   QSignalSpy started(&view, &ModelView::planeDragStarted);
   QSignalSpy dragged(&view, &ModelView::planeDragged);
   QSignalSpy finished(&view, &ModelView::planeDragFinished);
+  QSignalSpy chosen(&view, &ModelView::controlPointChosen);
   // Seen from anterior the plane is edge-on: of four points behind each other the nearest takes the mouse.
   const Pixel at = view.camera().toPixel(controlPoint(*view.plane(), 4));
   const double mm = 30 * view.camera().mmPerPixel(controlPoint(*view.plane(), 4));
@@ -142,6 +143,8 @@ TEST_F(BentViewTest, ADraggedControlPointMovesAlongTheNormalInOneStep) {
   EXPECT_EQ(started.count(), 1);
   EXPECT_EQ(dragged.count(), 4);
   EXPECT_EQ(finished.count(), 1);
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen[0][0].toInt(), 4);
   const auto heights = view.plane()->bend->heightsMm;
   EXPECT_NEAR(heights[4], mm, 0.15 * mm);
   EXPECT_EQ(std::count(heights.begin(), heights.end(), 0.0), 15);
@@ -151,6 +154,9 @@ TEST_F(BentViewTest, ADraggedControlPointMovesAlongTheNormalInOneStep) {
   QTest::keyClick(&view, Qt::Key_PageDown);
   EXPECT_NEAR(view.plane()->bend->heightsMm[4], before - 1, 1e-12) << "keys move the point dragged last";
   EXPECT_EQ(view.plane()->origin, plane.origin);
+  view.chooseControlPoint(9);
+  QTest::keyClick(&view, Qt::Key_PageUp);
+  EXPECT_EQ(view.plane()->bend->heightsMm[9], 1) << "or the one chosen";
 }
 
 TEST_F(BentViewTest, ControlPointsAreSeenWhileBendingAndTheSurfaceFollowsThem) {
@@ -318,6 +324,23 @@ TEST(SliceCurve, OfABumpIsClosed) {
   const auto curves = slicesCurves(geometry, geometry.sliceOf(Vec3(0, 0, 0)), bent);
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_EQ(curves[0].front(), curves[0].back());
+}
+
+TEST(SliceCurve, OfATipOfTwoMillimetresIsDrawnWhereverItIs) {
+  const SliceGeometry geometry(gridAround(Mat3::Identity()), SliceAxis::Axial);
+  const int slice = geometry.sliceOf(Vec3(0, 0, 0));
+  const double z = geometry.toWorld(SlicePoint(0, 0), slice).z();
+  for (int n = 0; n < 25; ++n) {
+    // A dome of height 22.5 - r^2 / 40 about its top: 0.02 mm below it a circle of radius 0.9.
+    const HalfSpace plane{Vec3(0.4 * (n % 5), 0.4 * (n / 5), z - 22.48), Vec3::UnitZ()};
+    ResectionPlane bent(plane, flatBend(plane, 30));
+    for (const std::size_t inner : {5U, 6U, 9U, 10U}) {
+      bent.bend->heightsMm[inner] = 40;
+    }
+    const auto curves = slicesCurves(geometry, slice, bent);
+    ASSERT_EQ(curves.size(), 1U) << n;
+    EXPECT_EQ(curves[0].front(), curves[0].back());
+  }
 }
 
 }  // namespace

@@ -245,6 +245,43 @@ TEST_F(CliPlanning, BendTakesTheIntegralOfItsHeightsAndIsListed) {
   EXPECT_EQ(exported.exitCode, 0) << exported.err;
 }
 
+TEST_F(CliPlanning, PlaneThatIsThereIsBentBentAnewAndMadeFlatAgain) {
+  const Json flat = plan({"--plane", at(0, 0, 0) + ",1,0,0"});
+  const std::string heights = "0,0,0,0,0,9,9,0,0,9,9,0,0,0,0,0";
+  const Json placed = plan({"--dry-run", "--duplicate", "Other", "--remove-resection", "Resection 1", "--plane",
+                            at(0, 0, 0) + ",1,0,0", "--bend", heights});
+  const Json bent = plan({"--bend-plane", "1," + heights});
+  EXPECT_EQ(bent["resectedMl"], placed["resectedMl"]) << "as --bend does while it is placed";
+  ASSERT_EQ(bent["bends"].size(), 1U);
+  EXPECT_EQ(bent["bends"][0]["heightsMm"], placed["bends"][0]["heightsMm"]);
+  EXPECT_EQ(bent["bends"][0]["halfSizeMm"], placed["bends"][0]["halfSizeMm"]);
+  const Json anew = plan({"--bend-plane", "1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,55", "--resection", "Resection 1"});
+  EXPECT_EQ(anew["bends"][0]["halfSizeMm"], 55);
+  EXPECT_EQ(anew["bends"][0]["originMm"], bent["bends"][0]["originMm"]) << "the square stays where it is";
+  EXPECT_EQ(anew["bends"][0]["u"], bent["bends"][0]["u"]);
+  const Json again = plan({"--flatten-plane", "1"});
+  EXPECT_FALSE(again.contains("bends"));
+  EXPECT_NEAR(again["resectedMl"], flat["resectedMl"], 1e-6);
+}
+
+TEST_F(CliPlanning, PlaneThatIsNotThereIsNeitherBentNorFlattened) {
+  const std::string zeros = "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0";
+  expectRefusal(refused({"--bend-plane", "1," + zeros}), 2, "needs --resection");
+  plan({"--plane", at(0, 0, 0) + ",1,0,0"});
+  plan({"--plane", at(-60, 0, 0) + ",-1,0,0"});
+  const std::string before = bytesOf(file_);
+  expectRefusal(refused({"--flatten-plane", "1"}), 2, "needs --resection");
+  expectRefusal(refused({"--flatten-plane", "1", "--resection", "Resection 1"}), 2, "the plane is flat");
+  expectRefusal(refused({"--flatten-plane", "2", "--resection", "Resection 1"}), 2, "Resection 1 has 1 plane");
+  expectRefusal(refused({"--bend-plane", "2," + zeros, "--resection", "Resection 2"}), 2, "Resection 2 has 1 plane");
+  expectRefusal(refused({"--bend-plane", "0," + zeros}), 2, "counted from 1");
+  expectRefusal(refused({"--bend-plane", "1,0,0", "--resection", "Resection 1"}), 2, "sixteen heights");
+  expectRefusal(refused({"--bend-plane", "1," + zeros + ",-5", "--resection", "Resection 1"}), 2, "half size");
+  const std::string away = "500,500,500,500,500,500,500,500,500,500,500,500,500,500,500,500";
+  expectRefusal(refused({"--bend-plane", "1," + away, "--resection", "Resection 1"}), 2, "does not divide the liver");
+  EXPECT_EQ(bytesOf(file_), before);
+}
+
 TEST_F(CliPlanning, BendThatIsNoneIsRefusedAndStoresNothing) {
   const std::string before = bytesOf(file_);
   const std::string plane = at(0, 0, 0) + ",1,0,0";

@@ -84,7 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
         Keys{"plan", "SEG", "--territories", "--confirm-territories", "--segments", "SEG"},
         Keys{"plan", "SEG", "--plane", "0,0,0,0,0,0"}, Keys{"plan", "SEG", "--plane", "0,0,0,0,nan,1"},
         Keys{"plan", "SEG", "--points", "1,2,3"}, Keys{"plan", "SEG", "--flip"},
-        Keys{"plan", "SEG", "--bend", "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0"},
+        Keys{"plan", "SEG", "--bend", "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0"}, Keys{"plan", "SEG", "--bend-plane", "1,2"},
+        Keys{"plan", "SEG", "--flatten-plane", "0"}, Keys{"plan", "SEG", "--flatten-plane", "one"},
         Keys{"plan", "SEG", "--plane", "0,0,0,0,0,1", "--bend", "1,2"}, Keys{"plan", "SEG", "--condition", "fine"},
         Keys{"plan", "SEG", "--island", "1,2,3,up"}, Keys{"plan", "SEG", "--margin", "wide"}));
 

@@ -22,6 +22,7 @@
 #include <QSemaphore>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -289,6 +290,44 @@ TEST_F(WindowTest, ABentPlaneIsOneStepADragAndFlatAgain) {
   EXPECT_TRUE(document().plane()->bend);
   click("placePlane");
   EXPECT_FALSE(document().plane()->bend) << "placed anew it is flat";
+}
+
+TEST_F(WindowTest, AControlPointsHeightIsTypedInOneStep) {
+  openSmallWithPlane();
+  auto* point = find<QSpinBox>("controlPoint");
+  auto* height = find<QDoubleSpinBox>("controlHeight");
+  EXPECT_FALSE(height->isEnabled()) << "the plane is flat";
+  click("bendPlane");
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(height->isEnabled());
+  const int steps = document().undoStack().count();
+  point->setValue(6);
+  height->setValue(-7.5);
+  emit height->editingFinished();
+  std::array<double, 16> heights{};
+  heights[5] = -7.5;
+  EXPECT_EQ(document().plane()->bend->heightsMm, heights);
+  EXPECT_EQ(document().undoStack().count(), steps + 1);
+  EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: bend plane");
+  emit height->editingFinished();
+  EXPECT_EQ(document().undoStack().count(), steps + 1) << "nothing was typed";
+  point->setValue(1);
+  EXPECT_EQ(height->value(), 0);
+  emit window->views().modelView().controlPointChosen(5);
+  EXPECT_EQ(point->value(), 6) << "a click on it chooses it";
+  EXPECT_EQ(height->value(), -7.5);
+  // With its group: the four inner points go along.
+  find<QComboBox>("bendMoves")->setCurrentIndex(1);
+  emit find<QComboBox>("bendMoves")->activated(1);
+  height->setValue(-5);
+  emit height->editingFinished();
+  for (const std::size_t inner : {6U, 9U, 10U}) {
+    heights[inner] = 2.5;
+  }
+  heights[5] = -5;
+  EXPECT_EQ(document().plane()->bend->heightsMm, heights);
+  find<QAction>("actionUndo")->trigger();
+  EXPECT_EQ(height->value(), -7.5);
 }
 
 TEST_F(WindowTest, TheCheckboxHidesAStructureInTheModel) {

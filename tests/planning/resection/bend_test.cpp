@@ -31,10 +31,16 @@ Vec3 randomPoint(std::mt19937& random, double reach) {
   return {at(random), at(random), at(random)};
 }
 
-/// De Casteljau, as the books have it.
+/// Where beside a square of half size 60 the cubic is taken: by a parabola that stands still 80 mm from the middle.
+double eased(double x) {
+  const double from = std::min(std::abs(x), 80.0) - 60;
+  return from > 0 ? std::copysign(60 + from - from * from / 40, x) : x;
+}
+
+/// De Casteljau, as the books have it; beyond the square too.
 double casteljau(const Bend& bend, double u, double v) {
-  const double s = std::clamp(0.5 + 0.5 * u / bend.halfSizeMm, 0.0, 1.0);
-  const double t = std::clamp(0.5 + 0.5 * v / bend.halfSizeMm, 0.0, 1.0);
+  const double s = 0.5 + 0.5 * eased(u) / bend.halfSizeMm;
+  const double t = 0.5 + 0.5 * eased(v) / bend.halfSizeMm;
   std::array<double, 16> h = bend.heightsMm;
   for (int left = 3; left > 0; --left) {
     for (int j = 0; j < 4; ++j) {
@@ -72,38 +78,66 @@ TEST(Bend, HeightIsThatOfDeCasteljauAndGoesOnBesideTheSquare) {
       EXPECT_NEAR(shape.height(p[0], p[1]), casteljau(bend, p[0], p[1]), 1e-12);
       EXPECT_EQ(shape.at(p[0], p[1]).height, shape.height(p[0], p[1]));
     }
-    EXPECT_EQ(shape.height(500, 3), shape.height(60, 3));
+    EXPECT_EQ(shape.height(500, 3), shape.height(80, 3));
+    EXPECT_EQ(shape.height(-7, -90), shape.height(-7, -80));
     EXPECT_NEAR(shape.height(-60, -60), bend.heightsMm[0], 1e-12);
     EXPECT_NEAR(shape.height(60, -60), bend.heightsMm[3], 1e-12);
     EXPECT_NEAR(shape.height(-60, 60), bend.heightsMm[12], 1e-12);
   }
 }
 
+/// Whether a step `d` around x crosses a place where the second derivative jumps.
+bool nearJump(double x, double d) { return std::abs(std::abs(x) - 60) < 2 * d || std::abs(std::abs(x) - 80) < 2 * d; }
+
 TEST(Bend, SlopesAndCurvaturesAreThoseOfDifferencesAndWithinTheBounds) {
   std::mt19937 random(3);
   for (unsigned seed = 0; seed < 20; ++seed) {
     const BendShape shape(randomBend(kOblique, seed));
     constexpr double d = 1e-4;
-    for (int n = 0; n < 50; ++n) {
-      const Vec3 p = randomPoint(random, 59);
+    for (int n = 0; n < 100; ++n) {
+      const Vec3 p = randomPoint(random, n % 2 == 0 ? 59 : 90);
+      if (nearJump(p[0], d) || nearJump(p[1], d)) {
+        continue;
+      }
       const BendShape::Local local = shape.at(p[0], p[1]);
       EXPECT_NEAR(local.du, (shape.height(p[0] + d, p[1]) - shape.height(p[0] - d, p[1])) / (2 * d), 1e-6);
       EXPECT_NEAR(local.dv, (shape.height(p[0], p[1] + d) - shape.height(p[0], p[1] - d)) / (2 * d), 1e-6);
       EXPECT_NEAR(local.duu, (shape.at(p[0] + d, p[1]).du - shape.at(p[0] - d, p[1]).du) / (2 * d), 1e-6);
       EXPECT_NEAR(local.duv, (shape.at(p[0], p[1] + d).du - shape.at(p[0], p[1] - d).du) / (2 * d), 1e-6);
       EXPECT_NEAR(local.dvv, (shape.at(p[0], p[1] + d).dv - shape.at(p[0], p[1] - d).dv) / (2 * d), 1e-6);
-      EXPECT_GE(local.height, shape.heights().low);
-      EXPECT_LE(local.height, shape.heights().high);
       EXPECT_GE(local.du, shape.slopesU().low);
       EXPECT_LE(local.du, shape.slopesU().high);
       EXPECT_GE(local.dv, shape.slopesV().low);
       EXPECT_LE(local.dv, shape.slopesV().high);
-      EXPECT_LE(std::max(std::abs(local.duu), std::abs(local.dvv)) + std::abs(local.duv), shape.mostCurved());
+      const double curved = std::max(std::abs(local.duu), std::abs(local.dvv)) + std::abs(local.duv);
+      EXPECT_LE(curved, shape.mostCurved());
+      if (n % 2 == 0) {
+        EXPECT_GE(local.height, shape.heights().low);
+        EXPECT_LE(local.height, shape.heights().high);
+        EXPECT_LE(curved, shape.mostCurvedInside());
+      }
     }
-    const BendShape::Local beside = shape.at(70, 5);
+    const BendShape::Local beside = shape.at(85, 5);
     EXPECT_EQ(beside.du, 0);
     EXPECT_EQ(beside.duu, 0);
     EXPECT_EQ(beside.duv, 0);
+  }
+}
+
+TEST(Bend, HasNoKinkAtTheBorderOfItsSquare) {
+  std::mt19937 random(8);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const BendShape shape(randomBend(kOblique, seed));
+    constexpr double d = 1e-7;
+    for (const double border : {-80.0, -60.0, 60.0, 80.0}) {
+      const double along = randomPoint(random, 90)[0];
+      const BendShape::Local before = shape.at(border - d, along);
+      const BendShape::Local behind = shape.at(border + d, along);
+      EXPECT_NEAR(before.height, behind.height, 1e-6);
+      EXPECT_NEAR(before.du, behind.du, 1e-6);
+      EXPECT_NEAR(before.dv, behind.dv, 1e-6);
+      EXPECT_NEAR(shape.at(along, border - d).dv, shape.at(along, border + d).dv, 1e-6);
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "planning/volumetry/assessment.h"
 #include "planning/volumetry/bend_over.h"
 #include "planning/volumetry/flat_stretches.h"
+#include "planning/volumetry/near_surface.h"
 #include "planning/volumetry/side_pieces.h"
 #include "planning/volumetry/tumour_depth.h"
 #include "planning/volumetry/tumour_margin.h"
@@ -67,6 +68,13 @@ void setQuadric(Bend& bend, double a, double b, double c) {
 Resected counted(const ImageGeometry& g, const ResectionPlan& plan) { return resect(allRows(g), g.spacing, toImage(plan, g)); }
 double volumeMm3(const ImageGeometry& g, const Resected& taken) {
   return static_cast<double>(taken.totalUnits()) / kUnitsPerVoxel * g.voxelVolumeMm3();
+}
+
+/// A ball of liver with one tumour, about the origin.
+Case liverWith(const Vec3& tumour, double radius) {
+  const ImageGeometry g = gridOf({112, 112, 36}, Vec3(0.8, 0.8, 2.5), -0.5 * Vec3(0.8, 0.8, 2.5).cwiseProduct(Vec3(111, 111, 35)));
+  return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, ball(Vec3::Zero(), 40)},
+                                             {"tumour", StructureKind::Tumour, ball(tumour, radius)}}));
 }
 
 TEST(BendNumbers, FlatBendGivesThePlanesNumbers) {
@@ -206,6 +214,73 @@ TEST(BendNumbers, StretchesLeaveNothingOut) {
   }
 }
 
+TEST(BendNumbers, BlocksLeaveNothingOut) {
+  std::mt19937 random(11);
+  for (int n = 0; n < trials(30); ++n) {
+    const ImageGeometry g = boxGrid(n % 2 == 1);
+    const VoxelRows rows = rowsOf(*voxelised(g, ball(5 * randomDirection(random), 35)));
+    const RowBlocks blocks(rows, g.spacing);
+    const double size = n % 3 == 0 ? 15 : 70;
+    const auto bentSomewhere = [&] {
+      return bentRandomly({15 * randomDirection(random), randomDirection(random)}, random, 40, size);
+    };
+    const auto alone = toImage(planOf({{bentSomewhere()}}), g);
+    EXPECT_EQ(resect(blocks, g.spacing, alone).units, resect(rows, g.spacing, alone).units) << "to the unit";
+    const std::vector<CutPiece> byBlock = cutSurface(blocks, g.spacing, alone);
+    const std::vector<CutPiece> byRow = cutSurface(rows, g.spacing, alone);
+    ASSERT_EQ(byBlock.size(), byRow.size());
+    for (std::size_t piece = 0; piece < byRow.size(); ++piece) {
+      ASSERT_EQ(byBlock[piece].polygon, byRow[piece].polygon);
+      ASSERT_EQ(byBlock[piece].run, byRow[piece].run);
+    }
+    const auto several = toImage(
+        planOf({{bentSomewhere(), ResectionPlane(10 * randomDirection(random), randomDirection(random))}, {bentSomewhere()}}), g);
+    for (const auto& plan : {alone, several}) {
+      const Resected fast = resect(blocks, g.spacing, plan);
+      const Resected slow = resect(rows, g.spacing, plan);
+      for (std::size_t r = 0; r < plan.size(); ++r) {
+        EXPECT_NEAR(static_cast<double>(fast.units[r]), static_cast<double>(slow.units[r]), kUnitsPerVoxel * 1e-3) << n;
+        EXPECT_NEAR(fast.cutAreaMm2[r], slow.cutAreaMm2[r], 1e-6 * slow.cutAreaMm2[r] + 1e-6);
+      }
+    }
+  }
+}
+
+TEST(BendNumbers, PiecesNearATumourGiveTheMarginOfAll) {
+  std::mt19937 random(12);
+  const std::vector<Vec3> seats{Vec3(12, 3, -2), Vec3(-30, 5, 8), Vec3(0, 33, 0)};
+  std::size_t made = 0;
+  std::size_t ofAll = 0;
+  for (int n = 0; n < trials(30); ++n) {
+    const Case liver = liverWith(seats[static_cast<std::size_t>(n) % 3], 5);
+    const ImageGeometry& g = liver.segmentation->geometry;
+    const VoxelRows rows = rowsOf(liver.liver->liver);
+    const RowBlocks blocks(rows, g.spacing);
+    const TumourBoxes tumour(rowsOf(liver.liver->tumour), g.spacing);
+    const double size = n % 2 == 0 ? 15 : 50;
+    std::vector<ResectionPlane> planes{bentRandomly({12 * randomDirection(random), randomDirection(random)}, random, 20, size)};
+    if (n % 3 == 0) {
+      planes.emplace_back(10 * randomDirection(random), randomDirection(random));
+    }
+    for (const auto& plan : {toImage(planOf({planes}), g), toImage(planOf({{HalfSpace(planes[0])}, planes}), g)}) {
+      const std::vector<CutPiece> all = cutSurface(rows, g.spacing, plan);
+      const std::vector<CutPiece> near = surfaceNear(tumour, blocks, cutBlocks(blocks, g.spacing, plan), g.spacing, plan);
+      ASSERT_EQ(near.empty(), all.empty());
+      const Margin slow = marginOf(tumour, g.spacing, CutDistance(all));
+      const Margin fast = marginOf(tumour, g.spacing, CutDistance(near));
+      if (!all.empty()) {
+        EXPECT_NEAR(fast.mm, slow.mm, 1e-9) << n;
+        if (slow.mm > 1e-3 && (fast.to - slow.to).norm() < 1e-6) {  // of equally short ways another one may be found
+          EXPECT_NEAR(fast.atLeast, slow.atLeast, 1e-6) << n;
+        }
+        made += near.size();
+        ofAll += all.size();
+      }
+    }
+  }
+  EXPECT_LT(2 * made, ofAll);
+}
+
 TEST(BendNumbers, DoNotDependOnTheThreads) {
   std::mt19937 random(6);
   const ImageGeometry g = boxGrid();
@@ -219,13 +294,6 @@ TEST(BendNumbers, DoNotDependOnTheThreads) {
     EXPECT_EQ(other.units, results[0].units);
     EXPECT_EQ(other.cutAreaMm2, results[0].cutAreaMm2);
   }
-}
-
-/// A ball of liver with one tumour, about the origin.
-Case liverWith(const Vec3& tumour, double radius) {
-  const ImageGeometry g = gridOf({112, 112, 36}, Vec3(0.8, 0.8, 2.5), -0.5 * Vec3(0.8, 0.8, 2.5).cwiseProduct(Vec3(111, 111, 35)));
-  return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, ball(Vec3::Zero(), 40)},
-                                             {"tumour", StructureKind::Tumour, ball(tumour, radius)}}));
 }
 
 /// Brute force: the least distance of the tumour's voxel boxes to points of the surface, `step` apart.
