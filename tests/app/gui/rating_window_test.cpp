@@ -353,7 +353,8 @@ TEST_F(RatingWindowTest, NoTextIsCutOffInAnyLanguageAtTheLeastSize) {
     EXPECT_EQ(window->size(), window->minimumSize());
     for (const QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
       if (button->isVisible() && !button->text().isEmpty()) {
-        EXPECT_GE(button->width(), button->minimumSizeHint().width()) << code << ' ' << button->text().toStdString();
+        EXPECT_TRUE(waitFor([&] { return button->width() >= button->minimumSizeHint().width(); }, 5000))
+            << code << ' ' << button->text().toStdString();
       }
     }
     for (const QLabel* label : window->findChildren<QLabel*>()) {
