@@ -3,6 +3,7 @@
 // milliseconds.
 
 #include <QApplication>
+#include <map>
 #include <vector>
 
 namespace glisson {
@@ -24,6 +25,8 @@ struct Round {
   double startMs = 0;  ///< of the monotonic clock, as `perf record -k mono` has it
   double wallMs = 0;
   double cpuMs = 0;
+  double aloneMs =
+      0;  ///< cpuMs and what the busiest thread of the software OpenGL took: the wall clock of a machine without other work
   std::vector<Part> parts;
 };
 
@@ -58,9 +61,12 @@ class TimedApplication : public QApplication {
   std::size_t enter(const QString& what);
   void leave(std::size_t part);
   void endRound();
+  /// Of the busiest thread of the software OpenGL since the last call.
+  double drawingMs();
 
   QString phase_ = "start";
   std::vector<Round> rounds_;
+  std::map<int, double> drawingMs_;  ///< of the threads of the software OpenGL until the last turn
   bool watching_ = false;
   bool blocked_ = false;  ///< since the loop last woke up
   int depth_ = 0;
