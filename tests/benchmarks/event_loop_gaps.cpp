@@ -163,7 +163,7 @@ class Session {
     application_.act("reopen", [&] { window_.opener().openPaths({QString::fromStdString(caseFile())}); });
     rest(500);
     settle();
-    application_.act("close", [&] { window_.close(); });
+    act("close", [&] { window_.close(); });
   }
 
   int report() const {
