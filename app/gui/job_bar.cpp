@@ -23,6 +23,17 @@ constexpr int kNameWidth = 150;
 constexpr int kProgressWidth = 90;
 constexpr int kMostListHeight = 320;  ///< more rows scroll
 
+/// QProgressBar::setValue() paints the whole window before it returns, 3D view included; this leaves it to the next turn of the
+/// event loop, once for all that has changed until then.
+void showPercent(QProgressBar& bar, int percent) {
+  if (bar.maximum() != 100 || bar.value() != percent) {
+    bar.setUpdatesEnabled(false);
+    bar.setRange(0, 100);
+    bar.setValue(percent);
+    bar.setUpdatesEnabled(true);
+  }
+}
+
 }  // namespace
 
 JobBar::JobBar(JobRunner& jobs, QWidget* parent)
@@ -68,8 +79,7 @@ JobBar::JobBar(JobRunner& jobs, QWidget* parent)
   connect(&jobs_, &JobRunner::jobProgressed, this, [this](JobId id, double fraction, const QString& phase) {
     const auto row = rows_.constFind(id);
     if (row != rows_.constEnd()) {
-      row->progress->setRange(0, 100);
-      row->progress->setValue(qRound(fraction * 100));
+      showPercent(*row->progress, qRound(fraction * 100));
       row->progress->setToolTip(shownSentence(phase));
     }
   });

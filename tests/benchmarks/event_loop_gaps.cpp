@@ -1,125 +1,28 @@
 // Measures how long the window does not answer: every event the UI thread handles is timed (wall clock and CPU time of that thread)
-// while a case is opened, reconstructed, planned, saved, exported and shown in two languages.
+// while a case is opened, reconstructed, planned, compared, saved, exported, shown in two languages, and opened again.
 //   event_loop_gaps [CT SEGMENTATION]     without paths: the sample patient
-// Prints, per phase: events, median and worst round of the event loop, and every round above 100 ms with what ran in it.
+// Prints, per phase: turns of the event loop, their median and worst, and every turn above 100 ms with what ran in it; then how
+// long the work went on after a cancel.
 
-#include <sys/resource.h>
-
-#include <QAbstractEventDispatcher>
-#include <QApplication>
-#include <QElapsedTimer>
-#include <QMetaEnum>
 #include <QPushButton>
 #include <QSettings>
+#include <QSlider>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
-#include <algorithm>
 #include <cstdio>
-#include <ctime>
 
+#include "app/gui/compare_window.h"
 #include "app/gui/export_panel.h"
 #include "app/gui/main_window.h"
 #include "app/gui/plane_placer.h"
 #include "app/gui/view_area.h"
 #include "app/jobs/thread_job_runner.h"
+#include "tests/benchmarks/timed_application.h"
 #include "viewer/plane_handles.h"
 
 namespace glisson {
 namespace {
-
-constexpr double kLimitMs = 100.0;
-
-double cpuMs() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
-struct Part {
-  QString what;
-  double wallMs = 0;
-  double cpuMs = 0;
-};
-
-/// One turn of the event loop, from waking up to waiting again.
-struct Round {
-  QString phase;
-  double wallMs = 0;
-  double cpuMs = 0;
-  std::vector<Part> parts;
-};
-
-class TimedApplication : public QApplication {
- public:
-  using QApplication::QApplication;
-
-  QString phase = "start";
-  std::vector<Round> rounds;
-
-  void watch() {
-    const QAbstractEventDispatcher* dispatcher = QAbstractEventDispatcher::instance();
-    connect(dispatcher, &QAbstractEventDispatcher::awake, this, [this] { beginRound(); });
-    connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, [this] { endRound(); });
-    beginRound();
-  }
-  /// What is called from outside the event loop counts as a part of the round too.
-  template <class Act>
-  void act(const QString& name, Act act) {
-    endRound();
-    phase = name;
-    beginRound();
-    timed(name + " (call)", act);
-  }
-
- protected:
-  bool notify(QObject* receiver, QEvent* event) override {
-    if (inside_) {
-      return QApplication::notify(receiver, event);
-    }
-    // the name first: the receiver may not outlive its event
-    const char* type = QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type());
-    const QString what = QString("%1 %2 %3").arg(receiver->metaObject()->className(), receiver->objectName(), type);
-    bool handled = false;
-    timed(what, [&] { handled = QApplication::notify(receiver, event); });
-    return handled;
-  }
-
- private:
-  template <class Act>
-  void timed(const QString& what, Act act) {
-    inside_ = true;
-    QElapsedTimer wall;
-    wall.start();
-    const double cpu = cpuMs();
-    act();
-    current_.parts.push_back({what, static_cast<double>(wall.nsecsElapsed()) * 1e-6, cpuMs() - cpu});
-    inside_ = false;
-  }
-  void beginRound() {
-    endRound();
-    current_ = {phase, 0, 0, {}};
-    clock_.start();
-    cpu_ = cpuMs();
-    running_ = true;
-  }
-  void endRound() {
-    if (!running_) {
-      return;
-    }
-    running_ = false;
-    current_.wallMs = static_cast<double>(clock_.nsecsElapsed()) * 1e-6;
-    current_.cpuMs = cpuMs() - cpu_;
-    rounds.push_back(std::move(current_));
-    current_ = {};
-  }
-
-  bool inside_ = false;
-  bool running_ = false;
-  QElapsedTimer clock_;
-  double cpu_ = 0;
-  Round current_;
-};
 
 template <class Until>
 bool runUntil(Until until, int seconds) {
@@ -168,110 +71,151 @@ void turnCamera(TimedApplication& application, ModelView& view) {
   rest(1500);
 }
 
-void report(const std::vector<Round>& rounds) {
-  QStringList phases;
-  for (const Round& round : rounds) {
-    if (!phases.contains(round.phase)) {
-      phases << round.phase;
+/// Phases in the order of the work; each waits until nothing goes on any more, so that its turns are its own.
+class Session {
+ public:
+  Session(TimedApplication& application, QStringList paths) : application_(application), paths_(std::move(paths)) {
+    language_.use("en");
+    window_.resize(1600, 1000);
+    window_.opener().setUnattended(true);
+    QObject::connect(&window_, &MainWindow::failed, [this](const QString& message) { problem_ = message; });
+    QObject::connect(&window_.opener(), &CaseOpener::opened, [this] { ++opened_; });
+    QObject::connect(&window_.exportPanel(), &ExportPanel::exported, [this] { exported_ = true; });
+  }
+
+  bool openCase() {
+    act("show", [&] { window_.show(); });
+    application_.act("open", [&] { openInputs(); });
+    if (!runUntil([&] { return document_.isOpen() || !problem_.isEmpty(); }, 600) || !problem_.isEmpty()) {
+      return false;
+    }
+    application_.begin("reconstruct");
+    const bool built = runUntil([&] { return jobs_.idle() && window_.builder().missing() == 0; }, 600);
+    rest(kRestMs);
+    return built;
+  }
+
+  void plan() {
+    act("place", [&] { window_.placer().placeAsSeen(); });
+    dragPlane(application_, window_.views().modelView());
+    settle();
+    turnCamera(application_, window_.views().modelView());
+    act("bend", [&] { document_.startBend(); });
+    act("undo", [&] { document_.undoStack().undo(); });
+    act("redo", [&] { document_.undoStack().redo(); });
+    act("undo", [&] { document_.undoStack().undo(); });
+  }
+
+  void look() {
+    auto* axial = window_.findChild<SliceView*>("axialView");
+    for (int i = 0; i < 20; ++i) {
+      application_.act("slices", [&] { QTest::keyClick(axial, Qt::Key_Up); });
+      rest(20);
+    }
+    const std::string liver = document_.content().model->structures.front().id;
+    act("hide", [&] { document_.setVisible(liver, false); });
+    act("show again", [&] { document_.setVisible(liver, true); });
+    act("opacity", [&] { document_.setOpacity(liver, 0.6); });
+    for (const Workspace step : {Workspace::Case, Workspace::Model, Workspace::Export, Workspace::Plan}) {
+      act("steps", [&] { window_.workspaces().setCurrent(step); });
     }
   }
-  std::printf("%-14s %7s %10s %10s %10s %10s %6s\n", "phase", "rounds", "median ms", "worst ms", "median cpu", "worst cpu", ">100");
-  for (const QString& phase : phases) {
-    std::vector<double> wall;
-    std::vector<double> cpu;
-    for (const Round& round : rounds) {
-      if (round.phase == phase && !round.parts.empty()) {
-        wall.push_back(round.wallMs);
-        cpu.push_back(round.cpuMs);
-      }
+
+  void compare() {
+    act("methods", [&] { window_.workspaces().setCurrent(Workspace::Compare); });
+    act("methods", [&] { window_.findChild<QSlider*>("labDepth")->setValue(6); });
+    act("methods", [&] { window_.workspaces().setCurrent(Workspace::Plan); });
+    act("plans", [&] { document_.duplicatePlan(); });
+    act("plans", [&] { window_.findChild<QAction*>("actionComparePlans")->trigger(); });
+    if (auto* plans = window_.findChild<CompareWindow*>("compareWindow")) {
+      act("plans", [&] { plans->close(); });
     }
-    if (wall.empty()) {
-      continue;
-    }
-    std::ranges::sort(wall);
-    std::ranges::sort(cpu);
-    const auto above = std::ranges::count_if(cpu, [](double ms) { return ms > kLimitMs; });
-    std::printf("%-14s %7zu %10.1f %10.1f %10.1f %10.1f %6ld\n", qPrintable(phase), wall.size(), wall[wall.size() / 2], wall.back(),
-                cpu[cpu.size() / 2], cpu.back(), static_cast<long>(above));
+    act("plans", [&] { document_.undoStack().undo(); });
   }
-  std::puts("\nrounds above 100 ms:");
-  for (Round round : rounds) {
-    if (round.wallMs <= kLimitMs) {
-      continue;
+
+  void write() {
+    application_.act("save", [&] { document_.saveAs(caseFile()); });
+    runUntil([&] { return document_.isClean(); }, 120);
+    rest(500);
+    act("export", [&] {
+      window_.workspaces().setCurrent(Workspace::Export);
+      window_.exportPanel().exportTo(folder_.path());
+    });
+    if (auto* accept = window_.findChild<QPushButton*>("deviationAccept")) {
+      act("export", [&] { accept->click(); });
     }
-    std::printf("%s: %.0f ms wall, %.0f ms cpu\n", qPrintable(round.phase), round.wallMs, round.cpuMs);
-    std::ranges::sort(round.parts, std::ranges::greater(), &Part::wallMs);
-    for (std::size_t i = 0; i < std::min<std::size_t>(5, round.parts.size()); ++i) {
-      if (round.parts[i].wallMs >= 5) {
-        std::printf("    %6.0f wall %6.0f cpu  %s\n", round.parts[i].wallMs, round.parts[i].cpuMs, qPrintable(round.parts[i].what));
-      }
-    }
+    runUntil([&] { return exported_ || !problem_.isEmpty(); }, 300);
+    rest(500);
+    act("report", [&] { window_.writeReport(folder_.filePath("plan.pdf")); });
+    act("language", [&] { window_.setLanguage("de"); });
   }
-}
+
+  void openAgain() {
+    application_.act("open anew", [&] { openInputs(); });
+    runUntil([&] { return opened_ > 1 || !problem_.isEmpty(); }, 600);
+    rest(300);
+    application_.act("cancel", [&] { jobs_.cancelAll(); });
+    QElapsedTimer clock;
+    clock.start();
+    runUntil([&] { return jobs_.idle(); }, 120);
+    windingDownMs_ = clock.elapsed();
+    rest(kRestMs);
+    application_.act("reopen", [&] { window_.opener().openPaths({QString::fromStdString(caseFile())}); });
+    rest(500);
+    settle();
+    act("close", [&] { window_.close(); });
+  }
+
+  int report() const {
+    application_.report();
+    std::printf("\nwork went on for %lld ms after the cancel\n", static_cast<long long>(windingDownMs_));
+    if (!exported_ || !problem_.isEmpty()) {
+      std::fprintf(stderr, "exported: %d; %s\n", exported_ ? 1 : 0, qPrintable(problem_));
+      return 4;
+    }
+    return 0;
+  }
+
+ private:
+  static constexpr int kRestMs = 1500;
+
+  void openInputs() { paths_.isEmpty() ? window_.opener().openSample() : window_.opener().openPaths(paths_); }
+  [[nodiscard]] std::string caseFile() const { return folder_.filePath("case.glisson").toStdString(); }
+  /// Until all is computed and drawn.
+  void settle() {
+    runUntil([&] { return jobs_.idle(); }, 120);
+    rest(kRestMs);
+  }
+  template <class Act>
+  void act(const QString& phase, Act act) {
+    application_.act(phase, act);
+    settle();
+  }
+
+  TimedApplication& application_;
+  QStringList paths_;
+  QTemporaryDir folder_;
+  Language language_;
+  ThreadJobRunner jobs_{2};
+  MainWindow window_{jobs_, language_, folder_.filePath("recovery").toStdString()};
+  Document& document_ = window_.document();
+  QString problem_;
+  bool exported_ = false;
+  int opened_ = 0;
+  qint64 windingDownMs_ = 0;
+};
 
 int measure(TimedApplication& application, const QStringList& paths) {
-  const QTemporaryDir folder;
-  Language language;
-  language.use("en");
-  ThreadJobRunner jobs(2);
-  MainWindow window(jobs, language, folder.filePath("recovery").toStdString());
-  window.resize(1600, 1000);
   application.watch();
-  application.act("show", [&] { window.show(); });
-  rest(1000);
-  window.opener().setUnattended(true);
-  QString problem;
-  QObject::connect(&window, &MainWindow::failed, [&](const QString& message) { problem = message; });
-  application.act("open", [&] { paths.isEmpty() ? window.opener().openSample() : window.opener().openPaths(paths); });
-  if (!runUntil([&] { return window.document().isOpen() || !problem.isEmpty(); }, 600) || !problem.isEmpty()) {
-    std::fprintf(stderr, "not opened: %s\n", qPrintable(problem));
-    return 3;
+  Session session(application, paths);
+  if (session.openCase()) {
+    session.plan();
+    session.look();
+    session.compare();
+    session.write();
+    session.openAgain();
   }
-  application.act("reconstruct", [] {});
-  const bool built = runUntil([&] { return jobs.idle() && window.builder().missing() == 0; }, 600);
-  rest(2000);
-  application.act("place", [&] { window.placer().placeAsSeen(); });
-  runUntil([&] { return jobs.idle() && window.document().freshness() == Freshness::All; }, 120);
-  rest(2000);
-  dragPlane(application, window.views().modelView());
-  runUntil([&] { return jobs.idle(); }, 120);
-  rest(2000);
-  turnCamera(application, window.views().modelView());
-  application.act("undo", [&] { window.document().undoStack().undo(); });
-  runUntil([&] { return jobs.idle(); }, 120);
-  rest(1000);
-  auto* axial = window.findChild<SliceView*>("axialView");
-  for (int i = 0; i < 20; ++i) {
-    application.act("slices", [&] { QTest::keyClick(axial, Qt::Key_Up); });
-    rest(20);
-  }
-  application.act("save", [&] { window.document().saveAs(folder.filePath("case.glisson").toStdString()); });
-  runUntil([&] { return window.document().isClean(); }, 120);
-  rest(500);
-  bool exported = false;
-  QObject::connect(&window.exportPanel(), &ExportPanel::exported, [&] { exported = true; });
-  application.act("export", [&] {
-    window.workspaces().setCurrent(Workspace::Export);
-    window.exportPanel().exportTo(folder.path());
-    if (auto* accept = window.findChild<QPushButton*>("deviationAccept")) {
-      accept->click();
-    }
-  });
-  runUntil([&] { return exported || !problem.isEmpty(); }, 300);
-  rest(500);
-  application.act("language", [&] { window.setLanguage("de"); });
-  rest(1500);
-  application.act("reopen", [&] { window.opener().openPaths({folder.filePath("case.glisson")}); });
-  rest(500);
-  runUntil([&] { return jobs.idle(); }, 120);
-  rest(2000);
-  application.act("close", [&] { window.close(); });
-  report(application.rounds);
-  if (!built || !exported) {
-    std::fprintf(stderr, "built %d, exported %d: %s\n", built ? 1 : 0, exported ? 1 : 0, qPrintable(problem));
-    return 4;
-  }
-  return 0;
+  return session.report();
 }
 
 }  // namespace
