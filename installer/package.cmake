@@ -28,7 +28,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What no library name tells: icons as SVG, letters, and OpenGL where there is no graphics card. Added to what shlibdeps finds.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, fonts-dejavu-core, libgl1-mesa-dri")
+# What no library name tells: icons as SVG, letters, the German of Qt's own
+# dialogs, and OpenGL where there is no graphics card. Added to what shlibdeps finds.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, qt6-translations-l10n, fonts-dejavu-core, libgl1-mesa-dri")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 include(CPack)

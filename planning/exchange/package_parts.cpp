@@ -299,6 +299,11 @@ std::vector<PackageMesh> packageMeshes(const Case& source, const ResectionPlan& 
   if (!plan.resections.empty()) {
     addPlannedParts(*parenchyma, plan, islands, context.range(0.8, 1.0), meshes);
   }
+  for (PackageMesh& mesh : meshes) {
+    if (mesh.role == "remnant" || mesh.role == "resected") {  // vessels and tumours are seen through the parts as through the liver
+      mesh.named.opacity = parenchyma->opacity;
+    }
+  }
   return meshes;
 }
 

@@ -1,24 +1,47 @@
 #include "planning/report/decisive_tumour.h"
 
+#include <limits>
+#include <utility>
+
 namespace glisson {
 
 namespace {
-double lowerBound(const TumourAssessment& tumour) { return tumour.marginAtLeastMm.value_or(tumour.marginMm.value_or(0.0)); }
+
+/// Which comes first: cut, removed, left; among the same by the lower bound of the margin, or by the distance.
+std::pair<int, double> rankOf(const TumourAssessment& tumour) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const double margin = tumour.marginAtLeastMm.value_or(tumour.marginMm.value_or(-kFar));
+  switch (tumour.state) {
+    case TumourState::Cut:
+      return {0, margin};
+    case TumourState::Removed:
+      return {1, margin};
+    case TumourState::Left:
+      break;
+  }
+  return {2, tumour.distanceMm.value_or(kFar)};
+}
+
 }  // namespace
 
-const TumourAssessment* decisiveTumour(const PlanAssessment& assessment) {
-  const TumourAssessment* margin = nullptr;
-  const TumourAssessment* nearest = nullptr;
+TumourCounts tumourCounts(const PlanAssessment& assessment) {
+  TumourCounts counts;
   for (const TumourAssessment& tumour : assessment.tumours) {
-    // the lower bound decides
-    if (tumour.marginMm && (margin == nullptr || lowerBound(tumour) < lowerBound(*margin))) {
-      margin = &tumour;
-    }
-    if (!tumour.marginMm && tumour.distanceMm && (nearest == nullptr || *tumour.distanceMm < *nearest->distanceMm)) {
-      nearest = &tumour;
+    counts.removed += tumour.state == TumourState::Removed ? 1 : 0;
+    counts.cut += tumour.state == TumourState::Cut ? 1 : 0;
+    counts.left += tumour.state == TumourState::Left ? 1 : 0;
+  }
+  return counts;
+}
+
+const TumourAssessment* decisiveTumour(const PlanAssessment& assessment) {
+  const TumourAssessment* first = nullptr;
+  for (const TumourAssessment& tumour : assessment.tumours) {
+    if (first == nullptr || rankOf(tumour) < rankOf(*first)) {
+      first = &tumour;
     }
   }
-  return margin != nullptr ? margin : nearest;
+  return first;
 }
 
 }  // namespace glisson

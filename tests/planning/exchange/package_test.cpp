@@ -55,6 +55,26 @@ TEST(Package, HoldsStructuresRemnantResectedPartAndSurfaceAndPassesItsCheck) {
   EXPECT_EQ(scratch.entries(), 1U);
 }
 
+TEST(Package, VesselsAndTumoursAreSeenThroughTheRemnantAndTheResectedPartAsThroughTheLiver) {
+  const Scratch scratch;
+  Case source = syntheticCase();
+  auto model = std::make_shared<LiverModel>(*source.model);
+  for (Structure& structure : model->structures) {
+    structure.opacity = structure.kind == StructureKind::Liver ? 0.35 : 1.0;
+  }
+  source.model = model;
+  const std::filesystem::path folder = exportPackage(source, scratch.path, stamped()).folder;
+  const GlbContent content = parseGlb(readWholeFile(folder / "model.glb"), "model.glb");
+  std::size_t translucent = 0;
+  for (const GlbNode& node : content.nodes) {
+    const bool ofLiver = node.id == "parenchyma" || node.id == "remnant" || node.id == "resected_01";
+    translucent += ofLiver ? 1 : 0;
+    EXPECT_NEAR(node.baseColour[3], ofLiver ? 0.35 : 1.0, 1e-6) << node.id;
+    EXPECT_EQ(node.alphaMode, ofLiver ? "BLEND" : "OPAQUE") << node.id;
+  }
+  EXPECT_EQ(translucent, 3U);
+}
+
 TEST(Package, PartsAddUpToTheLiverAndTheSurfaceLiesOnThePlaneFacingTheResectedSide) {
   const Scratch scratch;
   const std::filesystem::path folder = exportPackage(syntheticCase(), scratch.path, stamped()).folder;
