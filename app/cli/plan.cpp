@@ -106,6 +106,17 @@ ResectionPlane bent(const HalfSpace& plane, const TypedBend& typed, const LiverV
   return made;
 }
 
+/// A plane that is bent already keeps its square where no half size is given.
+ResectionPlane reshaped(const ResectionPlane& there, const TypedBend& typed, const LiverVoxels& liver) {
+  if (!there.bend) {
+    return bent(there, typed, liver);
+  }
+  Bend bend = *there.bend;
+  bend.heightsMm = typed.heightsMm;
+  bend.halfSizeMm = typed.halfSizeMm.value_or(bend.halfSizeMm);
+  return {there, bend};
+}
+
 void addPlanes(const PlanFlags& flags, Work& work, const ExecutionContext& context) {
   std::vector<ResectionPlane> planes;
   for (const HalfSpace& plane : planesOf(flags, work.source.segmentation->geometry)) {
@@ -168,14 +179,8 @@ void reshapePlanes(const PlanFlags& flags, Work& work) {
   for (const std::string& text : flags.bendPlanes) {
     const TypedPlaneBend typed = planeBendOf(text);
     const std::size_t resection = resectionWith(typed.plane, flags, "--bend-plane", work);
-    ResectionPlane made = work.plan().resections[resection].planes[typed.plane];
-    if (made.bend) {
-      made.bend->heightsMm = typed.bend.heightsMm;
-      made.bend->halfSizeMm = typed.bend.halfSizeMm.value_or(made.bend->halfSizeMm);
-    } else {
-      made = bent(made, typed.bend, *work.source.liver);
-    }
-    work.edit(BendPlane{resection, typed.plane, *made.bend, made.origin});
+    const ResectionPlane made = reshaped(work.plan().resections[resection].planes[typed.plane], typed.bend, *work.source.liver);
+    work.edit(BendPlane{resection, typed.plane, made.bend.value(), made.origin});
   }
 }
 
