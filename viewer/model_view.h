@@ -52,6 +52,10 @@ class ModelView : public VtkWidget {
   /// Shows the control points of the chosen plane where it is bent; `group`: they move with their group. Not shown is the default.
   void setBending(bool shown, bool group);
 
+  /// Whether the flat map of the cut is unfolded, in the corner; it is by default. Where the user folds it, mapShownChanged()
+  /// tells.
+  void setMapShown(bool shown);
+  [[nodiscard]] bool mapShown() const;
   /// What the resection surface is coloured by; null: it stays plain.
   void setTumours(std::shared_ptr<const TumourDistance> tumours);
   /// The shortest way from the tumour that decides to the resection surface; red where it is too short.
@@ -85,6 +89,7 @@ class ModelView : public VtkWidget {
   void cameraMoved();
   void picked(const glisson::Pick& pick);
   void pickCancelled();
+  void mapShownChanged(bool shown);
   /// Double click: the layout maximises this view or restores.
   void maximiseRequested();
 

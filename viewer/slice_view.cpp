@@ -21,6 +21,7 @@ namespace {
 constexpr double kMinZoom = 0.2;
 constexpr double kMaxZoom = 40.0;
 constexpr int kMargin = 4;  ///< pixels between the picture and the widget's border
+const QColor kSurfaceEdge(15, 16, 18);
 
 /// The axes whose slices are seen as the vertical and the horizontal line of the crosshair.
 std::pair<SliceAxis, SliceAxis> otherAxes(SliceAxis axis) {
@@ -62,6 +63,7 @@ struct SliceView::Impl {
   std::shared_ptr<const Segmentation> segmentation;
   std::shared_ptr<const LiverVoxels> liver;
   std::shared_ptr<const LiverModel> model;
+  QString noCt;
   std::optional<ResectionPlane> plane;
   std::vector<ResectionPlane> otherPlanes;
   std::optional<SliceGeometry> geometry;
@@ -157,10 +159,15 @@ void SliceView::Impl::drawSurfaces(QPainter& painter, const QTransform& transfor
     if (!structure.visible || surface == nullptr) {
       continue;
     }
-    const auto tone = [this](std::uint8_t value) { return strongSurfaces ? value : 255 - (255 - value) / 3; };
-    painter.setPen(
-        QPen(QColor(tone(structure.colour.r), tone(structure.colour.g), tone(structure.colour.b)), strongSurfaces ? 1.4 : 0.8));
-    drawSegments(painter, transform, surface->outline(slice));
+    const auto segments = surface->outline(slice);
+    const QColor colour(structure.colour.r, structure.colour.g, structure.colour.b);
+    if (!strongSurfaces) {
+      // a paler tone would be nearer to that of another structure; a dark edge tells it from the label's outline
+      painter.setPen(QPen(kSurfaceEdge, 2.6));
+      drawSegments(painter, transform, segments);
+    }
+    painter.setPen(QPen(colour, strongSurfaces ? 1.4 : 1.0));
+    drawSegments(painter, transform, segments);
   }
 }
 
@@ -207,6 +214,10 @@ std::vector<QRectF> SliceView::Impl::drawTexts(QPainter& painter) const {
   const int number = geometry->sliceFlipped ? geometry->slices() - slice : slice + 1;
   taken.push_back(drawEdgedText(painter, box, Qt::AlignLeft | Qt::AlignBottom,
                                 SliceView::tr("%1 mm\nslice %2 of %3").arg(position).arg(number).arg(geometry->slices())));
+  if (!ct && !noCt.isEmpty()) {
+    const QRectF below = box.adjusted(0, taken.front().height() + kMargin, 0, 0);
+    taken.push_back(drawEdgedText(painter, below, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap | Qt::TextWrapAnywhere, noCt));
+  }
   if (ct) {
     taken.push_back(drawEdgedText(painter, box, Qt::AlignRight | Qt::AlignBottom,
                                   SliceView::tr("W %1\nL %2").arg(qRound(windowLevel.width)).arg(qRound(windowLevel.level))));
@@ -248,6 +259,11 @@ void SliceView::setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<c
   d.zoom = 1;
   d.pan = {};
   d.redraw();
+}
+
+void SliceView::setNoCt(const QString& reason) {
+  impl_->noCt = reason;
+  update();
 }
 
 void SliceView::setModel(std::shared_ptr<const LiverModel> model) {
