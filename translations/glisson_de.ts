@@ -2102,10 +2102,6 @@
         <translation>eine Segmentierung</translation>
     </message>
     <message>
-        <source>The CT at %1 is not the one this case was made from (its files have changed): its slices are not shown.</source>
-        <translation>Die CT unter %1 ist nicht die, aus der dieser Fall entstand (ihre Dateien wurden geändert): Ihre Schichten werden nicht gezeigt.</translation>
-    </message>
-    <message>
         <source>%1 holds neither a CT, nor a segmentation, nor a case; choose a DICOM folder, NIfTI, NRRD, MetaImage or .glisson file.</source>
         <translation>%1 enthält weder eine CT noch eine Segmentierung noch einen Fall; wählen Sie einen DICOM-Ordner oder eine Datei in NIfTI, NRRD, MetaImage oder .glisson.</translation>
     </message>
@@ -2812,6 +2808,10 @@
     <message>
         <source>Labels of another frame of reference than the CT&apos;s were taken with consent (their %1 differ).</source>
         <translation>Labels eines anderen Bezugssystems als dem der CT wurden mit Zustimmung übernommen (verschieden: %1).</translation>
+    </message>
+    <message>
+        <source>The CT at %1 is not the one this case was made from (its files have changed): its slices are not shown; put the files of then back to see them.</source>
+        <translation>Die CT unter %1 ist nicht die, aus der dieser Fall entstand (ihre Dateien wurden geändert): Ihre Schichten werden nicht gezeigt; legen Sie die damaligen Dateien zurück, um sie zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -3961,6 +3961,10 @@
         <source>&amp;Blind rating of models...</source>
         <translation>&amp;Blinde Beurteilung von Modellen...</translation>
     </message>
+    <message>
+        <source>&amp;Map of the cut</source>
+        <translation>Schnitt&amp;karte</translation>
+    </message>
 </context>
 <context>
     <name>glisson::MainWindow</name>
@@ -4318,10 +4322,6 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>belassen</translation>
     </message>
     <message>
-        <source>%1 from the cut</source>
-        <translation>%1 vom Schnitt</translation>
-    </message>
-    <message>
         <source>FLR</source>
         <translation>FLR</translation>
     </message>
@@ -4362,10 +4362,6 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Margin</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
         <source>Vessel</source>
         <translation>Gefäß</translation>
     </message>
@@ -4376,10 +4372,6 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>computing</source>
         <translation>wird berechnet</translation>
-    </message>
-    <message>
-        <source>Liver %1, functional %2, uncertainty of the cut ±%3</source>
-        <translation>Leber %1, funktionell %2, Unsicherheit des Schnitts ±%3</translation>
     </message>
     <message>
         <source>MARGIN</source>
@@ -4424,6 +4416,62 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>The liver&apos;s volumes are being computed.</source>
         <translation>Die Volumina der Leber werden berechnet.</translation>
+    </message>
+    <message>
+        <source>%1, at least %2</source>
+        <translation>%1, mindestens %2</translation>
+    </message>
+    <message>
+        <source>%1 from the cut; a tumour that is left has no margin</source>
+        <translation>%1 vom Schnitt; ein belassener Tumor hat keinen Abstand</translation>
+    </message>
+    <message>
+        <source>Margin, mm</source>
+        <translation>Abstand, mm</translation>
+    </message>
+    <message>
+        <source>Liver %1, functional %2</source>
+        <translation>Leber %1, funktionell %2</translation>
+    </message>
+    <message>
+        <source>%1, uncertainty of the cut ±%2</source>
+        <translation>%1, Unsicherheit des Schnitts ±%2</translation>
+    </message>
+    <message>
+        <source>the liver is not divided</source>
+        <translation>Leber ungeteilt</translation>
+    </message>
+    <message>
+        <source>TUMOURS, margin of the removed %1</source>
+        <translation>TUMOREN, Abstand der entfernten %1</translation>
+    </message>
+    <message>
+        <source>TUMOURS, none is removed</source>
+        <translation>TUMOREN, keiner wird entfernt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>in the remnant</source>
+        <translation>im Leberrest</translation>
+    </message>
+    <message>
+        <source>Tumours in the remnant, which have no margin: %1</source>
+        <translation>Tumoren im Leberrest, ohne Abstand: %1</translation>
+    </message>
+    <message>
+        <source>is cut, %1 left</source>
+        <translation>durchtrennt, %1 belassen</translation>
+    </message>
+    <message>
+        <source>%1 tumours are cut</source>
+        <translation>%1 Tumoren durchtrennt</translation>
+    </message>
+    <message>
+        <source>Vessels crossed: -, %1</source>
+        <translation>Durchtrennte Gefäße: -, %1</translation>
     </message>
 </context>
 <context>
@@ -5070,6 +5118,18 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>%1 is bent: a cubic Bezier surface over a square of %2 mm around its point, u along %3, v = normal x u along %4. Control points, mm above the plane, from -u and -v on, u running fastest: %5. Beside the square it levels out: d mm beyond the border the height is the cubic one at d - d^2 / (2 w) mm, w = %6 mm, and from w on it stays the same.</source>
         <translation>%1 ist gebogen: eine kubische Bézierfläche über einem Quadrat von %2 mm um ihren Punkt, u entlang %3, v = Normale x u entlang %4. Kontrollpunkte in mm über der Ebene, von -u und -v an, u läuft am schnellsten: %5. Neben dem Quadrat läuft sie flach aus: d mm jenseits des Rands gilt die kubische Höhe bei d - d^2 / (2 w) mm, w = %6 mm, und ab w bleibt sie gleich.</translation>
     </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Tumours cut: %1 (%2).</source>
+        <translation>Durchtrennte Tumoren: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Tumours left behind: %1 (%2).</source>
+        <translation>Belassene Tumoren: %1 (%2).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::Resectogram</name>
@@ -5092,6 +5152,38 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Lines: every %1 mm</source>
         <translation>Linien: alle %1 mm</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut, laid flat</source>
+        <translation>Schnitt, flach</translation>
+    </message>
+    <message>
+        <source>&lt; %1 mm</source>
+        <translation>&lt; %1 mm</translation>
+    </message>
+    <message>
+        <source>perhaps &lt; %1</source>
+        <translation>evtl. &lt; %1</translation>
+    </message>
+    <message>
+        <source>Lines: %1 mm</source>
+        <translation>Linien: %1 mm</translation>
+    </message>
+    <message>
+        <source>The resection surface, laid flat, as seen from the resected side; red: nearer to a tumour than the safety margin; yellow: perhaps nearer, by the size of the voxels; a line every %1 mm of distance</source>
+        <translation>Die Resektionsfläche, flach ausgebreitet, von der resezierten Seite gesehen; rot: näher an einem Tumor als der Sicherheitsabstand; gelb: vielleicht näher, nach der Größe der Voxel; alle %1 mm Abstand eine Linie</translation>
+    </message>
+    <message>
+        <source>Folds the map of the cut up</source>
+        <translation>Klappt die Schnittkarte ein</translation>
+    </message>
+    <message>
+        <source>Shows the map of the cut</source>
+        <translation>Zeigt die Schnittkarte</translation>
     </message>
 </context>
 <context>

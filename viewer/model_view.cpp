@@ -25,6 +25,10 @@ ModelView::ModelView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
   d.scene.renderer->SetBackground(0.11, 0.12, 0.14);
   d.pickOverlay = new PickOverlay(this);
   d.resectogram = new Resectogram(this);
+  connect(d.resectogram, &Resectogram::unfoldedChanged, this, [this](bool unfolded) {
+    impl_->placeResectogram();
+    emit mapShownChanged(unfolded);
+  });
   d.planeActors.setVisible(false);
   d.planeActors.setLabel(tr("resected").toStdString());
   d.scene.beforeFrame = [this](FrameQuality quality) { impl_->prepareFrame(quality); };
@@ -118,6 +122,10 @@ void ModelView::chooseControlPoint(int point) {
   impl_->keyedPoint = static_cast<std::size_t>(std::clamp(point, 0, 15));
   requestRender();
 }
+
+void ModelView::setMapShown(bool shown) { impl_->resectogram->setUnfolded(shown); }
+
+bool ModelView::mapShown() const { return impl_->resectogram->unfolded(); }
 
 void ModelView::setPlane(const std::optional<ResectionPlane>& plane) {
   ResectionPlan plan;
@@ -352,6 +360,7 @@ void ModelView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange && impl_) {
     setAccessibleName(tr("3D view"));
     impl_->planeActors.setLabel(tr("resected").toStdString());
+    impl_->placeResectogram();
     requestRender();
   }
   VtkWidget::changeEvent(event);

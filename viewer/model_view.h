@@ -54,6 +54,10 @@ class ModelView : public VtkWidget {
   /// The control point, 0..15, that is highlighted and that keys move. Emits no signal.
   void chooseControlPoint(int point);
 
+  /// Whether the flat map of the cut is unfolded, in the corner; it is by default. Where the user folds it, mapShownChanged()
+  /// tells.
+  void setMapShown(bool shown);
+  [[nodiscard]] bool mapShown() const;
   /// What the resection surface is coloured by; null: it stays plain.
   void setTumours(std::shared_ptr<const TumourDistance> tumours);
   /// The shortest way from the tumour that decides to the resection surface; red where it is too short.
@@ -89,6 +93,7 @@ class ModelView : public VtkWidget {
   void cameraMoved();
   void picked(const glisson::Pick& pick);
   void pickCancelled();
+  void mapShownChanged(bool shown);
   /// Double click: the layout maximises this view or restores.
   void maximiseRequested();
 

@@ -2,8 +2,11 @@
 
 #include <QEvent>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolButton>
+#include <QWheelEvent>
 #include <algorithm>
 
 namespace glisson {
@@ -14,6 +17,7 @@ constexpr int kWidth = 220;
 constexpr int kHeight = 220;
 constexpr int kMargin = 6;
 constexpr int kSwatch = 12;
+constexpr int kSwatchGap = 4;
 constexpr int kLegendLines = 3;
 const QColor kBack(20, 22, 26, 215);
 const QColor kPaper(219, 227, 237);
@@ -89,16 +93,86 @@ QPainterPath insideOf(const ResectionPlane& bound, const ResectionPlane& plane, 
   return path.simplified();
 }
 
+/// The first of these, longest first, that fits.
+QString fitting(const QFontMetrics& metrics, int width, const QStringList& texts) {
+  for (const QString& text : texts) {
+    if (metrics.horizontalAdvance(text) <= width) {
+      return text;
+    }
+  }
+  return texts.back();
+}
+
 }  // namespace
 
-Resectogram::Resectogram(QWidget* parent) : QWidget(parent) {
+Resectogram::Resectogram(QWidget* parent) : QWidget(parent), fold_(new QToolButton(this)) {
   setObjectName("resectogram");
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setAccessibleName(tr("Resection surface, laid flat"));
+  fold_->setObjectName("foldMap");
+  fold_->setFocusPolicy(Qt::NoFocus);  // keys stay with the view
+  fold_->setFixedSize(fontMetrics().height() + 4, fontMetrics().height() + 4);
+  connect(fold_, &QToolButton::clicked, this, [this] { setUnfolded(!unfolded_); });
+  retranslate();
   hide();
 }
 
-QSize Resectogram::sizeHint() const { return {kWidth, kHeight}; }
+QSize Resectogram::sizeHint() const {
+  if (unfolded_) {
+    return {kWidth, kHeight};
+  }
+  return {fontMetrics().horizontalAdvance(tr("Cut")) + fold_->width() + 3 * kMargin, fold_->height()};
+}
+
+void Resectogram::setUnfolded(bool unfolded) {
+  if (unfolded != unfolded_) {
+    unfolded_ = unfolded;
+    retranslate();
+    emit unfoldedChanged(unfolded);
+  }
+}
+
+QStringList Resectogram::texts() const {
+  const QFontMetrics metrics = fontMetrics();
+  const int beside = fold_->x() - 2 * kMargin;
+  if (!unfolded_) {
+    return {tr("Cut")};
+  }
+  QStringList texts{fitting(metrics, beside, {tr("Cut, from the resected side"), tr("Cut, laid flat"), tr("Cut")})};
+  if (map_ && map_->margins) {
+    const double margin = map_->safetyMarginMm;
+    const QString mm = QLocale().toString(margin, 'f', margin == std::round(margin) ? 0 : 1);
+    const QString lines = QString::number(static_cast<int>(kIsoLineMm));
+    const int line = width() - 2 * kMargin;
+    const int entry = line - kSwatch - kSwatchGap;
+    texts << fitting(metrics, entry, {tr("under %1 mm to a tumour").arg(mm), tr("< %1 mm").arg(mm)})
+          << fitting(metrics, entry, {tr("perhaps under %1 mm").arg(mm), tr("perhaps < %1").arg(mm)})
+          << fitting(metrics, line, {tr("Lines: every %1 mm").arg(lines), tr("Lines: %1 mm").arg(lines)});
+  }
+  return texts;
+}
+
+void Resectogram::retranslate() {
+  setAccessibleName(tr("Resection surface, laid flat"));
+  setToolTip(tr("The resection surface, laid flat, as seen from the resected side; red: nearer to a tumour than the safety margin; "
+                "yellow: perhaps nearer, by the size of the voxels; a line every %1 mm of distance")
+                 .arg(static_cast<int>(kIsoLineMm)));
+  fold_->setArrowType(unfolded_ ? Qt::DownArrow : Qt::UpArrow);
+  fold_->setToolTip(unfolded_ ? tr("Folds the map of the cut up") : tr("Shows the map of the cut"));
+  update();
+}
+
+void Resectogram::resizeEvent(QResizeEvent* /*event*/) { fold_->move(width() - fold_->width(), 0); }
+
+void Resectogram::mousePressEvent(QMouseEvent* event) {
+  event->accept();
+  if (!unfolded_) {
+    setUnfolded(true);
+  }
+}
+
+void Resectogram::mouseMoveEvent(QMouseEvent* event) { event->accept(); }
+void Resectogram::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
+void Resectogram::mouseDoubleClickEvent(QMouseEvent* event) { event->accept(); }
+void Resectogram::wheelEvent(QWheelEvent* event) { event->accept(); }
 
 void Resectogram::setMap(std::optional<ResectionMap> map, const QImage& margins) {
   map_ = std::move(map);
@@ -112,8 +186,7 @@ void Resectogram::setMap(std::optional<ResectionMap> map, const QImage& margins)
 
 void Resectogram::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) {
-    setAccessibleName(tr("Resection surface, laid flat"));
-    update();
+    retranslate();
   }
   QWidget::changeEvent(event);
 }
@@ -127,8 +200,10 @@ void Resectogram::paintEvent(QPaintEvent* /*event*/) {
   }
   const int line = fontMetrics().height();
   painter.setPen(kInk);
-  painter.drawText(QRect(kMargin, 2, width() - 2 * kMargin, line), Qt::AlignLeft,
-                   fontMetrics().elidedText(tr("Cut, from the resected side"), Qt::ElideRight, width() - 2 * kMargin));
+  painter.drawText(QRect(kMargin, 2, fold_->x() - kMargin, line), Qt::AlignLeft, texts().front());
+  if (!unfolded_) {
+    return;
+  }
   const int legend = map_->margins ? kLegendLines * (line + 2) : 0;
   drawMap(painter, QRectF(kMargin, line + 6, width() - 2 * kMargin, height() - line - 10 - legend));
   if (map_->margins) {
@@ -182,25 +257,23 @@ void Resectogram::drawMap(QPainter& painter, const QRectF& box) const {
 
 void Resectogram::drawLegend(QPainter& painter, const QRectF& box) const {
   const double line = box.height() / kLegendLines;
-  const QString mm =
-      QLocale().toString(map_->safetyMarginMm, 'f', map_->safetyMarginMm == std::round(map_->safetyMarginMm) ? 0 : 1);
-  const auto write = [&](double left, int row, const QString& text) {
+  const QStringList words = texts();
+  const auto write = [&](double left, int row) {
     const QRectF place(left, box.y() + row * line, box.right() - left, line);
     painter.setPen(kInk);
-    painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
-                     fontMetrics().elidedText(text, Qt::ElideRight, static_cast<int>(place.width())));
+    painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft, words[1 + row]);
   };
-  const auto entry = [&](int row, const QColor& colour, bool hatched, const QString& text) {
+  const auto entry = [&](int row, const QColor& colour, bool hatched) {
     const QRectF swatch(box.x(), box.y() + row * line + 0.5 * (line - kSwatch), kSwatch, kSwatch);
     painter.fillRect(swatch, colour);
     if (hatched) {
       painter.fillRect(swatch, QBrush(QColor(110, 0, 0), Qt::FDiagPattern));
     }
-    write(box.x() + kSwatch + 4, row, text);
+    write(box.x() + kSwatch + kSwatchGap, row);
   };
-  entry(0, kMarginRed, true, tr("under %1 mm to a tumour").arg(mm));
-  entry(1, kMarginYellow, false, tr("perhaps under %1 mm").arg(mm));
-  write(box.x(), 2, tr("Lines: every %1 mm").arg(static_cast<int>(kIsoLineMm)));
+  entry(0, kMarginRed, true);
+  entry(1, kMarginYellow, false);
+  write(box.x(), 2);
 }
 
 }  // namespace glisson

@@ -23,6 +23,7 @@ constexpr double kMinZoom = 0.2;
 constexpr double kMaxZoom = 40.0;
 constexpr int kMargin = 4;  ///< pixels between the picture and the widget's border
 constexpr double kOutlineWidth = 1.4;
+const QColor kSurfaceEdge(15, 16, 18);
 
 QColor toColour(const Rgb& colour) { return {colour.r, colour.g, colour.b}; }
 
@@ -66,6 +67,7 @@ struct SliceView::Impl {
   std::shared_ptr<const Segmentation> segmentation;
   std::shared_ptr<const LiverVoxels> liver;
   std::shared_ptr<const LiverModel> model;
+  QString noCt;
   std::optional<ResectionPlane> plane;
   std::vector<ResectionPlane> otherPlanes;
   std::optional<SliceGeometry> geometry;
@@ -164,14 +166,17 @@ void SliceView::Impl::drawSurfaces(QPainter& painter, const QTransform& transfor
     if (!structure.visible || surface == nullptr) {
       continue;
     }
+    const auto segments = surface->outline(slice);
+    const QColor colour = toColour(structure.colour);
     if (compared) {
-      drawComparedOutline(painter, transform, surface->outline(slice), number - 1, toColour(structure.colour),
-                          QString::fromStdString(structure.id));
+      drawComparedOutline(painter, transform, segments, number - 1, colour, QString::fromStdString(structure.id));
       continue;
     }
-    const auto tone = [](std::uint8_t value) { return 255 - (255 - value) / 3; };
-    painter.setPen(QPen(QColor(tone(structure.colour.r), tone(structure.colour.g), tone(structure.colour.b)), 0.8));
-    drawSegments(painter, transform, surface->outline(slice));
+    // a paler tone would be nearer to that of another structure; a dark edge tells it from the label's outline
+    painter.setPen(QPen(kSurfaceEdge, 2.6));
+    drawSegments(painter, transform, segments);
+    painter.setPen(QPen(colour, 1.0));
+    drawSegments(painter, transform, segments);
   }
 }
 
@@ -232,6 +237,10 @@ std::vector<QRectF> SliceView::Impl::drawTexts(QPainter& painter) const {
   const int number = geometry->sliceFlipped ? geometry->slices() - slice : slice + 1;
   taken.push_back(drawEdgedText(painter, box, Qt::AlignLeft | Qt::AlignBottom,
                                 SliceView::tr("%1 mm\nslice %2 of %3").arg(position).arg(number).arg(geometry->slices())));
+  if (!ct && !noCt.isEmpty()) {
+    const QRectF below = box.adjusted(0, taken.front().height() + kMargin, 0, 0);
+    taken.push_back(drawEdgedText(painter, below, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap | Qt::TextWrapAnywhere, noCt));
+  }
   if (ct) {
     taken.push_back(drawEdgedText(painter, box, Qt::AlignRight | Qt::AlignBottom,
                                   SliceView::tr("W %1\nL %2").arg(qRound(windowLevel.width)).arg(qRound(windowLevel.level))));
@@ -273,6 +282,11 @@ void SliceView::setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<c
   d.zoom = 1;
   d.pan = {};
   d.redraw();
+}
+
+void SliceView::setNoCt(const QString& reason) {
+  impl_->noCt = reason;
+  update();
 }
 
 void SliceView::setModel(std::shared_ptr<const LiverModel> model) {

@@ -1,8 +1,9 @@
 #pragma once
-// Purpose: one of three linked slice views: the CT with the labels' outlines, those of the surfaces that will be exported (thin and
-// pale), the crosshair and the plane's line. Drawn with QPainter. Radiological convention: seen from the feet, patient right on the
-// left of the picture; letters R L A P S I at the edges. Mouse: wheel steps, left click places the crosshair, right-drag zooms,
-// middle-drag pans, Ctrl+right-drag window/level; arrow keys step, r resets. The plane's line carries ticks on the resected side.
+// Purpose: one of three linked slice views: the CT with the labels' outlines, those of the surfaces that will be exported (thin,
+// on a dark edge), the crosshair and the plane's line. Drawn with QPainter. Radiological convention: seen from the feet, patient
+// right on the left of the picture; letters R L A P S I at the edges. Mouse: wheel steps, left click places the crosshair,
+// right-drag zooms, middle-drag pans, Ctrl+right-drag window/level; arrow keys step, r resets. The plane's line carries ticks on
+// the resected side.
 
 #include <QWidget>
 #include <memory>
@@ -30,10 +31,12 @@ class SliceView : public QWidget {
   /// `liver` the parenchyma's outline is that of L, the voxels every number counts; else that of its mask as it was read.
   void setVolumes(std::shared_ptr<const CtVolume> ct, std::shared_ptr<const Segmentation> segmentation,
                   std::shared_ptr<const LiverVoxels> liver = nullptr);
+  /// Why there is no CT: stands in the view until one comes.
+  void setNoCt(const QString& reason);
   /// Visibility and colours of outlines come from the model's structures (by sourceIndex).
   void setModel(std::shared_ptr<const LiverModel> model);
   /// For views that compare surfaces: their outlines in the structures' full colours, each with a line style of its own and its
-  /// structure's id as its letter, and a legend. Thin and pale is the default.
+  /// structure's id as its letter, and a legend. Thin on a dark edge is the default.
   void setSurfacesCompared(bool compared);
   /// The plane that is worked on, and the others of the plan.
   void setPlane(std::optional<ResectionPlane> plane, std::vector<ResectionPlane> others = {});

@@ -79,7 +79,7 @@ void CaseOpener::start(const OpenRequest& request) {
 
 void CaseOpener::handle(const OpenRequest& request, OpenedCase result) {
   if (!result.needsKinds()) {
-    emit opened(result.content, result.file, toTexts(request));
+    emit opened(result.content, result.file, toTexts(request), QString::fromStdString(result.noCt));
     return;
   }
   if (unattended_) {

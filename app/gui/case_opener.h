@@ -23,8 +23,9 @@ class CaseOpener : public QObject {
   void openPaths(const QStringList& paths);
 
  signals:
-  /// `content` is never empty; `file` is null but for a .glisson file.
-  void opened(const glisson::Case& content, std::shared_ptr<glisson::CaseFile> file, const QStringList& paths);
+  /// `content` is never empty; `file` is null but for a .glisson file; `noCt`: why its CT is not to be shown, in English.
+  void opened(const glisson::Case& content, std::shared_ptr<glisson::CaseFile> file, const QStringList& paths,
+              const QString& noCt = {});
   void refused(const QString& sentence);  ///< in English
 
  private:

@@ -43,6 +43,7 @@ void Document::open(Case content, std::shared_ptr<CaseFile> file) {
   open_ = true;
   fresh_ = file == nullptr;
   case_ = std::move(content);
+  noCt_.clear();
   chosen_ = {};
   undo_.clear();
   beforeDrag_.reset();
@@ -111,11 +112,18 @@ void Document::replaceModel(std::shared_ptr<const LiverModel> model) {
 
 void Document::setCt(std::shared_ptr<const CtVolume> ct) {
   if (ct && case_.segmentation && ct->geometry.cornerDistance(case_.segmentation->geometry) > kSameGridMm) {
-    addNote(QStringLiteral("The CT at %1 does not lie on the grid of the labels and is not shown.")
+    setNoCt(QStringLiteral("The CT at %1 does not lie on the grid of the labels and is not shown.")
                 .arg(QString::fromStdString(ct->source)));
     return;
   }
+  noCt_.clear();
   case_.ct = std::move(ct);
+  emit ctChanged();
+}
+
+void Document::setNoCt(const QString& sentence) {
+  noCt_ = sentence;
+  addNote(sentence);
   emit ctChanged();
 }
 

@@ -118,6 +118,10 @@ class Document : public QObject {
   void setCt(std::shared_ptr<const CtVolume> ct);
   /// An English sentence, as the libraries' notes beside it.
   void addNote(const QString& sentence);
+  /// Why there is no CT to show: an English sentence that becomes a note, too.
+  void setNoCt(const QString& sentence);
+  /// Empty while one is shown, is being read, or where the case names none.
+  [[nodiscard]] const QString& noCt() const { return noCt_; }
 
   /// A case in the recovery folder has no name yet: use saveAs().
   void save();
@@ -130,7 +134,7 @@ class Document : public QObject {
  signals:
   void caseChanged();         ///< another case, or none
   void modelChanged();        ///< a structure was made or looks different
-  void ctChanged();           ///< the CT has come
+  void ctChanged();           ///< the CT has come, or is known not to come
   void notesChanged();        ///< the problem list
   void planChanged();         ///< a plane stands elsewhere, another one is worked on, or the list of plans is another
   void patientChanged();      ///< what the user said about the patient
@@ -188,6 +192,7 @@ class Document : public QObject {
   bool readOnly_ = false;
   std::filesystem::path path_;
   Case case_;
+  QString noCt_;
   ChosenPlane chosen_;
   QUndoStack undo_;
   CaseStore store_;

@@ -19,7 +19,8 @@ namespace glisson {
 namespace {
 
 constexpr int kNewsMilliseconds = 6000;
-constexpr int kNameWidth = 150;
+constexpr int kNameWidth = 150;      ///< of several names
+constexpr int kOnlyNameWidth = 300;  ///< where one alone runs
 constexpr int kProgressWidth = 90;
 constexpr int kMostListHeight = 320;  ///< more rows scroll
 
@@ -120,8 +121,9 @@ void JobBar::addRow(JobId id, const QString& title) {
   row.box = new QWidget(waitingContent_);
   auto* line = new QHBoxLayout(row.box);
   line->setContentsMargins(0, 0, 8, 0);
-  auto* name = new QLabel(fontMetrics().elidedText(title, Qt::ElideRight, kNameWidth), row.box);
-  name->setToolTip(title);
+  row.name = new QLabel(row.box);
+  row.name->setObjectName("jobName");
+  row.name->setToolTip(title);
   row.progress = new QProgressBar(row.box);
   row.progress->setRange(0, 100);
   row.progress->setValue(0);
@@ -129,7 +131,7 @@ void JobBar::addRow(JobId id, const QString& title) {
   row.cancel = new QPushButton(tr("Cancel"), row.box);
   row.cancel->setObjectName("cancelJob");
   connect(row.cancel, &QPushButton::clicked, this, [this, id] { jobs_.cancel(id); });
-  line->addWidget(name, 1);
+  line->addWidget(row.name, 1);
   line->addWidget(row.progress);
   line->addWidget(row.cancel);
   waitingRows_->addWidget(row.box);
@@ -186,6 +188,10 @@ void JobBar::tell(const QString& text) {
 
 void JobBar::refresh() {
   const int waiting = waitingCount();
+  const int width = rows_.size() > 1 ? kNameWidth : kOnlyNameWidth;
+  for (const Row& row : rows_) {  // the whole title is the tooltip
+    row.name->setText(fontMetrics().elidedText(row.name->toolTip(), Qt::ElideMiddle, width));
+  }
   waiting_->setVisible(waiting > 0);
   waiting_->setText(tr("%1 waiting").arg(waiting));
   if (waiting == 0) {

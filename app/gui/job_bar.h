@@ -33,6 +33,7 @@ class JobBar : public Translated<QWidget> {
  private:
   struct Row {
     QWidget* box = nullptr;
+    QLabel* name = nullptr;
     QProgressBar* progress = nullptr;
     QPushButton* cancel = nullptr;
     bool running = false;

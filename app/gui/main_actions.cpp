@@ -3,6 +3,7 @@
 #include <QActionGroup>
 #include <QDir>
 #include <QMenuBar>
+#include <QSettings>
 
 #include "app/gui/export_panel.h"
 #include "app/gui/main_window.h"
@@ -115,9 +116,18 @@ void MainActions::makeViewMenu() {
   left_ = add(view, "actionLeftPanel", QT_TR_NOOP("&Structures"), QKeySequence(Qt::Key_F9), {});
   right_ = add(view, "actionRightPanel", QT_TR_NOOP("&Workspace panel"), QKeySequence(Qt::Key_F10), {});
   hide_ = add(view, "actionHideIdentity", QT_TR_NOOP("&Hide identity"), {}, {});
-  for (QAction* action : {left_, right_, hide_}) {
+  map_ = add(view, "actionCutMap", QT_TR_NOOP("&Map of the cut"), QKeySequence(Qt::Key_F8), {});
+  for (QAction* action : {left_, right_, hide_, map_}) {
     action->setCheckable(true);
   }
+  ModelView& model = window_.views().modelView();
+  connect(map_, &QAction::triggered, &model, &ModelView::setMapShown);
+  connect(&model, &ModelView::mapShownChanged, this, [this](bool shown) {
+    map_->setChecked(shown);
+    QSettings().setValue("cutMap", shown);
+  });
+  model.setMapShown(QSettings().value("cutMap", true).toBool());
+  map_->setChecked(model.mapShown());
   connect(left_, &QAction::triggered, &window_, &MainWindow::showLeftPanel);
   connect(right_, &QAction::triggered, &window_, &MainWindow::showRightPanel);
   connect(hide_, &QAction::triggered, &window_.titleLine(), &TitleLine::setIdentityHidden);

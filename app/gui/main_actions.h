@@ -50,6 +50,7 @@ class MainActions : public QObject {
   QAction* left_ = nullptr;
   QAction* right_ = nullptr;
   QAction* hide_ = nullptr;
+  QAction* map_ = nullptr;
   QAction* english_ = nullptr;
   QAction* german_ = nullptr;
 };

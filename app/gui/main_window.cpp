@@ -118,7 +118,12 @@ void MainWindow::connectParts() {
   connect(start_, &StartPage::openRequested, this, &MainWindow::openFiles);
   connect(start_, &StartPage::recentRequested, this, [this](const QString& path) { opener_->openPaths({path}); });
   connect(opener_, &CaseOpener::opened, this,
-          [this](const Case& content, const std::shared_ptr<CaseFile>& file, const QStringList&) { onOpened(content, file); });
+          [this](const Case& content, const std::shared_ptr<CaseFile>& file, const QStringList&, const QString& noCt) {
+            onOpened(content, file);
+            if (!noCt.isEmpty()) {
+              document_->setNoCt(noCt);
+            }
+          });
   connect(opener_, &CaseOpener::refused, this, &MainWindow::complain);
   connect(builder_, &ModelBuilder::structureFailed, this, &MainWindow::complain);
   connect(builder_, &ModelBuilder::structureReady, this, [this](const QString& name, double seconds) {
@@ -237,7 +242,7 @@ void MainWindow::readCtLater() {
     return;
   }
   JobRequest request{.key = "ct", .title = tr("Reading the CT")};
-  request.fail = [this](const std::exception& error) { document_->addNote(messageOf(error)); };
+  request.fail = [this](const std::exception& error) { document_->setNoCt(messageOf(error)); };
   submitFor<std::shared_ptr<const CtVolume>>(
       jobs_, std::move(request),
       [content = document_->content()](const ExecutionContext& context) { return readCtOf(content, context); },

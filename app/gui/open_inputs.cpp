@@ -139,8 +139,9 @@ OpenedCase openCaseFile(const fs::path& path, const ExecutionContext& context) {
                     " is not the one this case was made from (its files have changed): the CT embedded in the case is shown.");
   } else if (there) {
     // another patient's CT on the same grid would look right [hazard H2]
-    notes.push_back("The CT at " + ct +
-                    " is not the one this case was made from (its files have changed): its slices are not shown.");
+    opened.noCt = "The CT at " + ct +
+                  " is not the one this case was made from (its files have changed): its slices are not shown; put the files of "
+                  "then back to see them.";
     ct.clear();
   } else if (opened.content.ct) {
     notes.push_back("The CT of this case is not at " + ct + ": the CT embedded in the case is shown.");

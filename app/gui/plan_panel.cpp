@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/big_number.h"
 #include "app/gui/flr_card_box.h"
@@ -25,14 +26,15 @@ namespace glisson {
 
 namespace {
 
+constexpr int kVesselRows = 5;  ///< always: their number changes while the plane moves, and nothing below may jump
+constexpr int kMostTumourRows = 6;
+
 QTreeWidget* makeTable(const QString& name, int columns, QWidget* parent) {
   auto* table = new QTreeWidget(parent);
   table->setObjectName(name);
   makeNarrow(*table, columns);
   table->setSelectionMode(QAbstractItemView::NoSelection);
   table->setTextElideMode(Qt::ElideMiddle);  // livertumor01 and livertumor02 differ at the end
-  table->setMinimumHeight(96);
-  table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // shares what room is left
   return table;
 }
 
@@ -53,12 +55,31 @@ class Column : public QWidget {
 
 QString marginText(const TumourAssessment& tumour) {
   if (tumour.marginMm) {
-    // one unit for both numbers: the column is narrow
+    // the unit stands in the header: the column is narrow
     return tumour.marginAtLeastMm ? numberText(*tumour.marginMm, 1) + QStringLiteral(" (\u2265\u00A0") +
-                                        numberText(*tumour.marginAtLeastMm, 1) + QStringLiteral(")\u00A0mm")
+                                        numberText(*tumour.marginAtLeastMm, 1) + QLatin1Char(')')
+                                  : numberText(*tumour.marginMm, 1);
+  }
+  return QStringLiteral("-");
+}
+
+QString marginTip(const TumourAssessment& tumour) {
+  if (tumour.marginMm) {
+    return tumour.marginAtLeastMm ? PlanPanel::tr("%1, at least %2").arg(mmText(*tumour.marginMm), mmText(*tumour.marginAtLeastMm))
                                   : mmText(*tumour.marginMm);
   }
-  return tumour.distanceMm ? PlanPanel::tr("%1 from the cut").arg(mmText(*tumour.distanceMm)) : QString();
+  return tumour.distanceMm ? PlanPanel::tr("%1 from the cut; a tumour that is left has no margin").arg(mmText(*tumour.distanceMm))
+                           : QString();
+}
+
+/// "7.8 mm, >= 6.9".
+QString shortMargin(const TumourAssessment& tumour) {
+  if (!tumour.marginMm) {
+    return QStringLiteral("-");
+  }
+  const QString atLeast =
+      tumour.marginAtLeastMm ? QStringLiteral(", \u2265\u00A0") + numberText(*tumour.marginAtLeastMm, 1) : QString();
+  return mmText(*tumour.marginMm) + atLeast;
 }
 
 }  // namespace
@@ -98,7 +119,10 @@ PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& te
   setObjectName("planPanel");
   warning_->setObjectName("planWarning");
   warning_->setWordWrap(true);
+  uncertainty_->setObjectName("volumeNote");
   uncertainty_->setWordWrap(true);
+  vesselsLabel_->setObjectName("vesselsTitle");
+  vesselsLabel_->setWordWrap(true);
 
   auto* content = new Column(this);
   auto* column = new QVBoxLayout(content);
@@ -109,8 +133,8 @@ PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& te
                                        tumours_, vesselsLabel_, vessels_, islands_, card_, territories_, sizes_, measures_}) {
     column->addWidget(part);
   }
-  column->setStretchFactor(tumours_, 2);
-  column->setStretchFactor(vessels_, 3);
+  column->addStretch(1);
+  fitRows(*vessels_, kVesselRows);
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -154,7 +178,7 @@ void PlanPanel::retranslateUi() {
   remnant_->setToolTip(tr("Volume left, tumours in it included, and its share of the whole liver"));
   tumoursLabel_->setText(tr("Tumours"));
   vesselsLabel_->setText(tr("Vessels crossed"));
-  tumours_->setHeaderLabels({tr("Tumour"), tr("State"), tr("Margin")});
+  tumours_->setHeaderLabels({tr("Tumour"), tr("State"), tr("Margin, mm")});
   vessels_->setHeaderLabels({tr("Vessel"), tr("Diameter")});
   refresh();
   refreshPlane();
@@ -180,51 +204,96 @@ void PlanPanel::refreshVolumes() {
   show(*resected_, now.resectedMl, now.totalMl > 0 ? 100 * now.resectedMl / now.totalMl : 0);
   show(*remnant_, now.remnantMl, now.totalMl > 0 ? 100 * now.remnantMl / now.totalMl : 0);
   uncertainty_->setVisible(known);
-  uncertainty_->setText(tr("Liver %1, functional %2, uncertainty of the cut \u00B1%3")
-                            .arg(mlText(now.totalMl), mlText(now.functionalMl), mlText(now.volumeUncertaintyMl, 1)));
+  const QString liver = tr("Liver %1, functional %2").arg(mlText(now.totalMl), mlText(now.functionalMl));
+  const bool cut = document_.plane() && now.divides;
+  uncertainty_->setText(cut ? tr("%1, uncertainty of the cut \u00B1%2").arg(liver, mlText(now.volumeUncertaintyMl, 1)) : liver);
   const QString warning = shownSentence(now.warning);
   warning_->setVisible(known && !warning.isEmpty());
   warning_->setText(warning);
+}
+
+/// Why there is no margin and no vessel to speak of; empty where there are.
+QString PlanPanel::missingNumbers() const {
+  if (!document_.plane()) {
+    return tr("no plane");
+  }
+  if (document_.freshness() == Freshness::None) {
+    return tr("computing");
+  }
+  return document_.assessment().divides ? QString() : tr("the liver is not divided");
 }
 
 void PlanPanel::refreshMargin() {
   const PlanAssessment& now = document_.assessment();
   const TumourAssessment* tumour = decisiveTumour(now);
   const bool computed = document_.freshness() == Freshness::All;
+  QString reason = missingNumbers();
+  if (reason.isEmpty() && tumour == nullptr) {
+    reason = computed ? tr("no tumour") : tr("computing");
+  }
   margin_->setOutOfDate({});
   margin_->setWarning({});
   margin_->setNote({});
-  if (tumour == nullptr || !document_.plane()) {
+  margin_->setToolTip({});
+  if (!reason.isEmpty()) {
     margin_->setCaption(tr("MARGIN"));
     margin_->setValue(QStringLiteral("- mm"), {});
-    const QString reason = !document_.plane() ? tr("no plane") : computed ? tr("no tumour") : tr("computing");
     margin_->setNote(document_.isOpen() ? reason : QString());
     return;
   }
-  margin_->setCaption(tr("MARGIN %1, %2").arg(shownName(tumour->name), stateText(tumour->state)));
-  const double value = tumour->marginMm.value_or(tumour->distanceMm.value_or(0.0));
-  margin_->setValue(mmText(value),
-                    tumour->marginAtLeastMm ? QStringLiteral("\u2265\u00A0") + numberText(*tumour->marginAtLeastMm, 1) : QString());
+  if (tumour->state != TumourState::Cut && tumourCounts(now).left > 0) {
+    showTumoursLeft(*tumour);
+  } else {
+    showMarginOf(*tumour);
+  }
   if (!computed) {
     margin_->setOutOfDate(tr("out of date"));
-  } else if (tumour->state == TumourState::Cut) {
-    margin_->setWarning(tr("tumour is cut"));
-  } else if (tumour->state == TumourState::Removed && tumour->marginAtLeastMm.value_or(value) < document_.plan().safetyMarginMm) {
-    margin_->setWarning(tr("below %1").arg(mmText(document_.plan().safetyMarginMm, 0)));
+  }
+}
+
+/// A margin of what is removed would reassure while tumours stay: their number is the large one.
+void PlanPanel::showTumoursLeft(const TumourAssessment& decisive) {
+  const PlanAssessment& now = document_.assessment();
+  const TumourCounts counts = tumourCounts(now);
+  QStringList names;
+  for (const TumourAssessment& tumour : now.tumours) {
+    if (tumour.state == TumourState::Left) {
+      names << shownName(tumour.name);
+    }
+  }
+  margin_->setCaption(decisive.marginMm ? tr("TUMOURS, margin of the removed %1").arg(shortMargin(decisive))
+                                        : tr("TUMOURS, none is removed"));
+  margin_->setValue(tr("%1 of %2").arg(counts.left).arg(counts.all()), stateText(TumourState::Left));
+  margin_->setWarning(QStringLiteral("\u26A0 ") + tr("in the remnant"));
+  margin_->setToolTip(tr("Tumours in the remnant, which have no margin: %1").arg(names.join(QStringLiteral(", "))));
+}
+
+void PlanPanel::showMarginOf(const TumourAssessment& tumour) {
+  const double safetyMm = document_.plan().safetyMarginMm;
+  const TumourCounts counts = tumourCounts(document_.assessment());
+  margin_->setCaption(tr("MARGIN %1, %2").arg(shownName(tumour.name), stateText(tumour.state)));
+  margin_->setValue(tumour.marginMm ? mmText(*tumour.marginMm) : QStringLiteral("- mm"),
+                    tumour.marginAtLeastMm ? QStringLiteral("\u2265\u00A0") + numberText(*tumour.marginAtLeastMm, 1) : QString());
+  if (tumour.state == TumourState::Cut) {
+    margin_->setWarning(QStringLiteral("\u26A0 ") + (counts.left > 0  ? tr("is cut, %1 left").arg(counts.left)
+                                                     : counts.cut > 1 ? tr("%1 tumours are cut").arg(counts.cut)
+                                                                      : tr("tumour is cut")));
+  } else if (tumour.marginAtLeastMm.value_or(tumour.marginMm.value_or(0.0)) < safetyMm) {
+    margin_->setWarning(tr("below %1").arg(mmText(safetyMm, 0)));
   }
 }
 
 void PlanPanel::refreshTables() {
   const PlanAssessment& now = document_.assessment();
   const bool computed = document_.freshness() == Freshness::All;
-  const bool shown = document_.isOpen() && document_.plane().has_value();
+  const QString missing = missingNumbers();
   tumours_->clear();
   vessels_->clear();
-  if (shown) {
+  if (document_.isOpen() && missing.isEmpty()) {
     for (const TumourAssessment& tumour : now.tumours) {
       auto* row = new QTreeWidgetItem(tumours_, {shownName(tumour.name), stateText(tumour.state), marginText(tumour)});
       row->setToolTip(0, row->text(0));
-      row->setToolTip(2, marginText(tumour));
+      row->setToolTip(2, marginTip(tumour));
     }
     for (const VesselCrossing& vessel : now.vesselsCrossed) {
       auto* row = new QTreeWidgetItem(vessels_, {shownName(vessel.name), mmText(vessel.diameterMm)});
@@ -237,7 +306,11 @@ void PlanPanel::refreshTables() {
   };
   grey(tumours_);
   grey(vessels_);
-  vesselsLabel_->setText(shown ? tr("Vessels crossed: %1").arg(now.vesselsCrossed.size()) : tr("Vessels crossed"));
+  fitRows(*tumours_, std::min(tumours_->topLevelItemCount(), kMostTumourRows));
+  const bool counted = computed && missing.isEmpty();
+  vesselsLabel_->setText(counted                                    ? tr("Vessels crossed: %1").arg(now.vesselsCrossed.size())
+                         : document_.isOpen() && !missing.isEmpty() ? tr("Vessels crossed: -, %1").arg(missing)
+                                                                    : tr("Vessels crossed"));
 }
 
 void PlanPanel::refreshPlane() { editor_->setPlane(document_.plane()); }

@@ -40,6 +40,9 @@ class PlanPanel : public Translated<QWidget> {
   void refresh();
   void refreshVolumes();
   void refreshMargin();
+  void showTumoursLeft(const TumourAssessment& decisive);
+  void showMarginOf(const TumourAssessment& tumour);
+  [[nodiscard]] QString missingNumbers() const;
   void refreshTables();
   void refreshPlane();
   void refreshPlacing();

@@ -100,6 +100,22 @@ QString numbersOf(const PlanReport& report) {
   return html;
 }
 
+/// What matters before any margin: tumours that are cut or stay behind; empty where all are removed.
+QString untreatedOf(const PlanAssessment& assessment) {
+  const auto sentence = [&](TumourState state, const QString& text) {
+    QStringList names;
+    for (const TumourAssessment& tumour : assessment.tumours) {
+      if (tumour.state == state) {
+        names << shownName(tumour.name);
+      }
+    }
+    const QString number = ReportText::tr("%1 of %2").arg(names.size()).arg(assessment.tumours.size());
+    return names.isEmpty() ? QString() : paragraph(text.arg(number, names.join(QStringLiteral(", "))));
+  };
+  return sentence(TumourState::Cut, ReportText::tr("Tumours cut: %1 (%2).")) +
+         sentence(TumourState::Left, ReportText::tr("Tumours left behind: %1 (%2)."));
+}
+
 QString tumoursOf(const PlanReport& report) {
   const std::vector<TumourMeasures> measured = tumourMeasures(report.content);
   QString rows = header({ReportText::tr("Tumour"), ReportText::tr("volume"), ReportText::tr("longest diameter"),
@@ -124,7 +140,8 @@ QString tumoursOf(const PlanReport& report) {
     rows += row({shownName(tumour.name), volume, diameter, capsule, vessel, stateText(tumour.state), margin,
                  tumour.marginAtLeastMm ? mmText(*tumour.marginAtLeastMm) : QString()});
   }
-  return heading(ReportText::tr("Tumours (safety margin %1)").arg(mmText(report.plan.safetyMarginMm))) + table(rows);
+  return heading(ReportText::tr("Tumours (safety margin %1)").arg(mmText(report.plan.safetyMarginMm))) +
+         untreatedOf(report.assessment) + table(rows);
 }
 
 QString islandsOf(const PlanReport& report) {
@@ -144,6 +161,9 @@ QString islandsOf(const PlanReport& report) {
 }
 
 QString vesselsOf(const PlanReport& report) {
+  if (!report.assessment.divides) {
+    return {};
+  }
   QString rows = header({ReportText::tr("Vessel crossed"), ReportText::tr("diameter"), QStringLiteral("L"), QStringLiteral("P"),
                          QStringLiteral("S")});
   for (const VesselCrossing& vessel : report.assessment.vesselsCrossed) {

@@ -16,7 +16,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "a segmentation")},
     {"",
      QT_TRANSLATE_NOOP("Sentence",
-                       "The CT at %1 is not the one this case was made from (its files have changed): its slices are not shown.")},
+                       "The CT at %1 is not the one this case was made from (its files have changed): its slices are not shown; "
+                       "put the files of then back to see them.")},
     {"",
      QT_TRANSLATE_NOOP(
          "Sentence",

@@ -70,9 +70,11 @@ void TitleLine::refresh() {
   const auto orNone = [](const QString& text) { return text.isEmpty() ? QStringLiteral("-") : text; };
   QString name = QString::fromStdString(who.patientName);
   name.replace('^', QStringLiteral(", "));
-  const QStringList parts{name.isEmpty() ? tr("no name") : name, tr("id %1").arg(orNone(QString::fromStdString(who.patientId))),
-                          tr("born %1").arg(orNone(dateText(who.birthDate))), tr("CT of %1").arg(orNone(dateText(who.studyDate))),
-                          orNone(QString::fromStdString(who.seriesDescription))};
+  QStringList parts{name.isEmpty() ? tr("no name") : name, tr("id %1").arg(orNone(QString::fromStdString(who.patientId))),
+                    tr("born %1").arg(orNone(dateText(who.birthDate))), tr("CT of %1").arg(orNone(dateText(who.studyDate)))};
+  if (!who.seriesDescription.empty()) {  // the phase; a bare dash would not say of what
+    parts << QString::fromStdString(who.seriesDescription);
+  }
   identity_->setText(parts.join(QStringLiteral("  \u00B7  ")));
   identity_->setToolTip(parts.join('\n'));
   const QDate taken = QDate::fromString(QString::fromStdString(who.studyDate), QStringLiteral("yyyyMMdd"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/gui/sentences.h"
 #include "planning/report/decisive_tumour.h"
 
 namespace glisson {
@@ -18,7 +19,7 @@ bool needsMesh(const Structure& structure, const std::vector<std::shared_ptr<con
 }  // namespace
 
 ViewArea::ViewArea(Document& document, JobRunner& jobs, QWidget* parent)
-    : QWidget(parent), document_(document), jobs_(jobs), grid_(new QGridLayout(this)), modelView_(new ModelView(this)) {
+    : Translated<QWidget>(parent), document_(document), jobs_(jobs), grid_(new QGridLayout(this)), modelView_(new ModelView(this)) {
   setObjectName("viewArea");
   setStyleSheet("#viewArea { background: #202020; }");
   grid_->setContentsMargins(0, 0, 0, 0);
@@ -67,6 +68,12 @@ ViewArea::ViewArea(Document& document, JobRunner& jobs, QWidget* parent)
   connect(&document_, &Document::tumourDistanceChanged, this, [this] { modelView_->setTumours(document_.tumourDistance()); });
 }
 
+void ViewArea::retranslateUi() {
+  for (SliceView* slice : slices_) {
+    slice->setNoCt(shownSentence(document_.noCt()));
+  }
+}
+
 void ViewArea::setWindowLevel(const WindowLevel& windowLevel) {
   for (SliceView* slice : slices_) {
     slice->setWindowLevel(windowLevel);
@@ -84,6 +91,7 @@ void ViewArea::showVolumes() {
   const Case& content = document_.content();
   for (SliceView* slice : slices_) {
     slice->setVolumes(content.ct, content.segmentation, content.liver);
+    slice->setNoCt(shownSentence(document_.noCt()));
   }
   showModel();
   if (content.liver && !content.liver->liver.empty()) {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/gui/document.h"
+#include "app/gui/translated.h"
 #include "viewer/model_view.h"
 #include "viewer/slice_view.h"
 
@@ -12,7 +13,7 @@ class QGridLayout;
 
 namespace glisson {
 
-class ViewArea : public QWidget {
+class ViewArea : public Translated<QWidget> {
   Q_OBJECT
  public:
   ViewArea(Document& document, JobRunner& jobs, QWidget* parent = nullptr);
@@ -27,6 +28,9 @@ class ViewArea : public QWidget {
 
  signals:
   void windowLevelChanged(const glisson::WindowLevel& windowLevel);
+
+ protected:
+  void retranslateUi() override;
 
  private:
   void showVolumes();

@@ -8,12 +8,14 @@
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <ctime>
 
 #include "planning/resection/place_plane.h"
 #include "tests/viewer/bodies.h"
 #include "tests/viewer/kept_picture.h"
 #include "viewer/plane_handles.h"
+#include "viewer/resectogram.h"
 
 namespace glisson {
 namespace {
@@ -264,6 +266,36 @@ TEST_F(ModelViewTest, TheFirstPlaneFromTheCameraIsSeenEdgeOnWithTheResectedSideO
   const HalfSpace plane = planeFromCamera(Vec3::Zero(), view.viewDirection(), view.viewUp());
   EXPECT_NEAR(plane.normal.dot(view.viewDirection()), 0.0, 1e-12);
   EXPECT_GT(view.camera().toPixel(plane.origin + 10 * plane.normal).x(), view.camera().toPixel(plane.origin).x());
+}
+
+TEST_F(ModelViewTest, AClickOnTheMapOfTheCutReachesNoHandleUnderItAndTheMapFoldsAway) {
+  view.setPlane(HalfSpace{Vec3::Zero(), Vec3::UnitX()});
+  (void)shown("map_of_the_cut");
+  auto* map = view.findChild<Resectogram*>("resectogram");
+  ASSERT_TRUE(map->isVisible());
+  EXPECT_TRUE(view.mapShown());
+  const Pose pose = view.pose();
+  QSignalSpy started(&view, &ModelView::planeDragStarted);
+  const QPoint middle = map->rect().center();
+  QTest::mousePress(map, Qt::LeftButton, {}, middle);
+  QTest::mouseMove(map, middle + QPoint(20, 10));
+  QTest::mouseRelease(map, Qt::LeftButton, {}, middle + QPoint(20, 10));
+  EXPECT_TRUE(pose == view.pose()) << "nor does it turn the camera";
+  EXPECT_EQ(started.count(), 0);
+
+  QSignalSpy changed(&view, &ModelView::mapShownChanged);
+  const QSize unfolded = map->size();
+  QTest::mouseClick(map->findChild<QToolButton*>("foldMap"), Qt::LeftButton);
+  EXPECT_FALSE(view.mapShown());
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_LT(map->height(), unfolded.height() / 5);
+  EXPECT_LT(map->width(), unfolded.width() / 2);
+  EXPECT_EQ(map->geometry().bottomRight(), QPoint(view.width() - 7, view.height() - 7)) << "in its corner";
+  QTest::mouseClick(map, Qt::LeftButton, {}, QPoint(3, 3));
+  EXPECT_TRUE(view.mapShown());
+  EXPECT_EQ(map->size(), unfolded);
+  view.setMapShown(true);
+  EXPECT_EQ(changed.count(), 2);
 }
 
 TEST_F(ModelViewTest, DoubleClickAsksForTheMaximisedView) {

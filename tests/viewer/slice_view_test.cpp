@@ -19,6 +19,9 @@
 namespace glisson {
 namespace {
 
+using test::sphere;
+using test::structure;
+
 struct Grid {
   const char* name;
   Mat3 direction;
@@ -282,6 +285,87 @@ TEST(SliceViewTest, ASurfaceThatWasMadeChangesNoSliceAndAColourDoes) {
   coloured->structures[0].colour = {0, 255, 255};
   view.setModel(coloured);
   EXPECT_GT(countColour(grabbed(view, "looks_coloured"), QColor(0, 255, 255)), 50);
+}
+
+/// CIE 1976 colour difference of two sRGB colours, D65; `deuteranope`: as simulated by Machado, Oliveira, Fernandes (2009).
+double colourDifference(const QColor& a, const QColor& b, bool deuteranope) {
+  const auto lab = [deuteranope](const QColor& colour) {
+    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    Vec3 rgb(linear(colour.redF()), linear(colour.greenF()), linear(colour.blueF()));
+    if (deuteranope) {
+      Mat3 seen;
+      seen << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881;
+      rgb = (seen * rgb).cwiseMax(0.0).cwiseMin(1.0);
+    }
+    Mat3 toXyz;
+    toXyz << 0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505;
+    const Vec3 xyz = (toXyz * rgb).cwiseQuotient(Vec3(0.95047, 1.0, 1.08883));
+    const Vec3 f = xyz.unaryExpr([](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; });
+    return Vec3(116 * f.y() - 16, 500 * (f.x() - f.y()), 200 * (f.y() - f.z()));
+  };
+  return (lab(a) - lab(b)).norm();
+}
+
+/// The brightest colour of the outlines of a ball of this kind, label and surface, on black.
+QColor outlineSeen(StructureKind kind) {
+  const Labelled labelled = ballIn(geometryOf(Mat3::Identity()));
+  const Rgb colour = defaultColour(kind);
+  labelled.model->structures[0] = structure("ball", kind, colour, 1.0, sphere(kCentre, Vec3(15, 15, 15)));
+  labelled.model->structures[0].sourceIndex = 0;
+  SliceView view(SliceAxis::Axial);
+  view.resize(400, 400);
+  view.setVolumes(nullptr, labelled.segmentation);
+  view.setModel(labelled.model);
+  view.setCrosshair(kCentre);
+  (void)grabbed(view, "outline_label");  // the surface is made ready by the first frame
+  const QImage image = grabbed(view, QString("outline_surface_%1").arg(static_cast<int>(kind)));
+  const QPoint middle = view.pixelOf(kCentre)->toPoint();
+  QColor brightest(0, 0, 0);
+  for (int n = 20; n < 130; ++n) {  // along the diagonals, where neither crosshair nor letters are
+    for (const QPoint& way : {QPoint(n, n), QPoint(n, -n), QPoint(-n, n), QPoint(-n, -n)}) {
+      const QColor pixel = image.pixelColor(middle + way);
+      if (pixel.red() + pixel.green() + pixel.blue() > brightest.red() + brightest.green() + brightest.blue()) {
+        brightest = pixel;
+      }
+    }
+  }
+  return brightest;
+}
+
+TEST(SliceViewTest, OutlinesOfNeighboursStayApartWhenTheirSurfacesAreDrawnForDeuteranopesToo) {
+  constexpr double kToldApart = 20;
+  using K = StructureKind;
+  const std::array vessels{K::PortalVein, K::HepaticVein, K::Artery};
+  for (const K vessel : vessels) {
+    for (const bool deuteranope : {false, true}) {
+      EXPECT_GE(colourDifference(outlineSeen(K::Liver), outlineSeen(vessel), deuteranope), kToldApart)
+          << kindId(vessel) << (deuteranope ? " deuteranope" : "");
+    }
+    EXPECT_GE(colourDifference(outlineSeen(K::Tumour), outlineSeen(vessel), true), kToldApart) << kindId(vessel);
+  }
+  for (const K other : {K::Liver, K::Cyst, K::BileDuct, K::Gallbladder}) {
+    EXPECT_GE(colourDifference(outlineSeen(K::Tumour), outlineSeen(other), false), kToldApart) << kindId(other);
+  }
+}
+
+TEST(SliceViewTest, WhereThereIsNoCtTheReasonStandsInTheViewUntilOneComes) {
+  const ImageGeometry geometry = geometryOf(Mat3::Identity());
+  const Labelled labelled = ballIn(geometry);
+  SliceView view(SliceAxis::Axial);
+  view.resize(250, 250);
+  const auto grab = [&](const char* name) {
+    view.setModel(labelled.model);
+    view.setCrosshair(kCentre);
+    return grabbed(view, name);
+  };
+  view.setVolumes(nullptr, labelled.segmentation);
+  const QImage silent = grab("no_ct_silent");
+  view.setNoCt("The CT of this case is no longer at /somewhere/with-a-long-name-that-has-no-blank/patient; put it back.");
+  EXPECT_NE(grab("no_ct_reason"), silent);
+  view.setVolumes(ctWithSpot(geometry, kCentre), labelled.segmentation);
+  const QImage withCt = grab("no_ct_came");
+  view.setNoCt({});
+  EXPECT_EQ(grab("no_ct_none"), withCt);
 }
 
 TEST(SliceLettersTest, NoLetterLiesOnATextInTheSmallestView) {

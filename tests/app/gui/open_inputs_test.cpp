@@ -49,8 +49,7 @@ TEST_F(OpenInputsTest, AReplacedCtIsNotShownUnderTheCaseOfAnother_H2) {
   std::filesystem::copy_file(folder_ / "labels.nii.gz", ct);  // the same grid, other values
   const OpenedCase reopened = open({file});
   EXPECT_EQ(readCtOf(reopened.content), nullptr);
-  ASSERT_FALSE(reopened.content.notes.empty());
-  EXPECT_NE(reopened.content.notes.back().find("is not the one this case was made from"), std::string::npos);
+  EXPECT_NE(reopened.noCt.find("is not the one this case was made from"), std::string::npos);
 }
 
 TEST_F(OpenInputsTest, AnEmbeddedCtIsShownWhereTheOneTheCaseNamesIsMissingOrAnother) {
