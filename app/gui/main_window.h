@@ -8,6 +8,7 @@
 #include "app/gui/document.h"
 #include "app/gui/language.h"
 #include "app/gui/model_builder.h"
+#include "app/gui/recent_case.h"
 #include "app/gui/translated.h"
 #include "app/gui/workspace_bar.h"
 #include "reconstruction/evaluation/recipe.h"

@@ -200,7 +200,7 @@ TEST(TerritoryJson, HasTheKeysOfTheContractBehindThoseOfThePlan) {
   for (const auto& [key, value] : estimates.items()) {
     keys.push_back(key);
   }
-  EXPECT_EQ(keys, (std::vector<std::string>{"territoriesFrom", "territoriesConfirmed", "territories", "devascularisedMl",
+  EXPECT_EQ(keys, (std::vector<std::string>{"territoriesFrom", "territoriesConfirmed", "territories", "tumours", "devascularisedMl",
                                             "congestedMl", "devascularisedOrCongestedMl", "perfusedFlrMl", "perfusedFlrPercent",
                                             "portalCuts", "hepaticCuts", "mainBifurcationMm", "portalBranches", "notes"}));
   EXPECT_EQ(estimates["territories"][0]["name"], "left");
