@@ -267,8 +267,8 @@ TEST_F(CliPlanning, PlaneThatIsThereIsBentBentAnewAndMadeFlatAgain) {
 TEST_F(CliPlanning, PlaneThatIsNotThereIsNeitherBentNorFlattened) {
   const std::string zeros = "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0";
   expectRefusal(refused({"--bend-plane", "1," + zeros}), 2, "needs --resection");
-  plan({"--plane", at(0, 0, 0) + ",1,0,0"});
-  plan({"--plane", at(-60, 0, 0) + ",-1,0,0"});
+  ASSERT_FALSE(plan({"--plane", at(0, 0, 0) + ",1,0,0"}).is_null());
+  ASSERT_FALSE(plan({"--plane", at(-60, 0, 0) + ",-1,0,0"}).is_null());
   const std::string before = bytesOf(file_);
   expectRefusal(refused({"--flatten-plane", "1"}), 2, "needs --resection");
   expectRefusal(refused({"--flatten-plane", "1", "--resection", "Resection 1"}), 2, "the plane is flat");
