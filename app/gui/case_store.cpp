@@ -34,10 +34,10 @@ void CaseStore::post(std::function<void(Worker&)> work) {
       Qt::QueuedConnection);
 }
 
-void CaseStore::beginFile() { models_ = std::make_shared<std::atomic<std::uint64_t>>(0); }
+void CaseStore::countModelsAnew() { models_ = std::make_shared<std::atomic<std::uint64_t>>(0); }
 
 void CaseStore::create(const std::filesystem::path& path, const Case& content) {
-  beginFile();
+  countModelsAnew();
   post([path, content](Worker& worker) {
     worker.file.reset();
     std::filesystem::create_directories(path.parent_path());
@@ -46,7 +46,7 @@ void CaseStore::create(const std::filesystem::path& path, const Case& content) {
 }
 
 void CaseStore::adopt(std::shared_ptr<CaseFile> file) {
-  beginFile();
+  countModelsAnew();
   post([file = std::move(file)](Worker& worker) { worker.file = file; });
 }
 
@@ -84,7 +84,7 @@ void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
 }
 
 void CaseStore::editModel(std::shared_ptr<const LiverModel> model, const QString& name, bool goesOn) {
-  ++*models_;
+  countModelsAnew();  // the model before is stored, too: the edit's record is the difference from it
   post([model = std::move(model), name = name.toStdString(), goesOn](Worker& worker) {
     if (worker.file) {
       worker.file->store({.model = model.get(), .modelEdit = name, .modelGoesOn = goesOn});
@@ -125,7 +125,7 @@ void CaseStore::checkpoint() {
 }
 
 void CaseStore::close(const std::filesystem::path& discarded) {
-  beginFile();
+  countModelsAnew();
   post([discarded](Worker& worker) {
     worker.file.reset();
     if (!discarded.empty()) {

@@ -61,11 +61,12 @@ class CaseStore : public QObject {
  private:
   struct Worker;
   void post(std::function<void(Worker&)> work);
-  void beginFile();
+  void countModelsAnew();
 
   QThread thread_;
   std::unique_ptr<Worker> worker_;
-  /// Models handed over so far for the file open now; a new counter for every file, so that no file gets or loses another's model.
+  /// Models handed over so far since the file was opened or a model edited; a new counter then, so that no file gets or loses
+  /// another's model, and no edit the model it changes.
   std::shared_ptr<std::atomic<std::uint64_t>> models_ = std::make_shared<std::atomic<std::uint64_t>>(0);
 };
 

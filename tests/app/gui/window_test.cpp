@@ -106,6 +106,8 @@ TEST_F(WindowTest, AnOriginTypedInMovesThePlaneAndUndoNamesTheStep) {
 
 TEST_F(WindowTest, TheKeyOfUndoTakesTheStepBackWhileTheNumberFieldStillHasTheFocus) {
   openSmallWithPlane();
+  window->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
   const ResectionPlane placed = *document().plane();
   auto* field = find<QDoubleSpinBox>("originX");
   field->setFocus();
