@@ -14,7 +14,7 @@ class QTreeWidget;
 
 namespace glisson {
 
-class TerritoryBox : public Translated<QGroupBox> {
+class TerritoryBox final : public Translated<QGroupBox> {
   Q_OBJECT
  public:
   TerritoryBox(Document& document, TerritoryEstimator& estimator, QWidget* parent = nullptr);
