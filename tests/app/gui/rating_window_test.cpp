@@ -359,9 +359,11 @@ TEST_F(RatingWindowTest, NoTextIsCutOffInAnyLanguageAtTheLeastSize) {
     }
     for (const QLabel* label : window->findChildren<QLabel*>()) {
       if (label->isVisible() && !label->text().isEmpty()) {
-        EXPECT_GE(label->width(), label->wordWrap() ? 0 : label->sizeHint().width()) << code << ' ' << label->text().toStdString();
-        EXPECT_GE(label->height(), label->hasHeightForWidth() ? label->heightForWidth(label->width()) : label->sizeHint().height())
-            << code << ' ' << label->text().toStdString();
+        const auto fits = [label] {
+          const int height = label->hasHeightForWidth() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+          return label->width() >= (label->wordWrap() ? 0 : label->sizeHint().width()) && label->height() >= height;
+        };
+        EXPECT_TRUE(waitFor(fits, 5000)) << code << ' ' << label->text().toStdString();
       }
     }
   };

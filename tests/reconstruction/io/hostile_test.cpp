@@ -297,7 +297,7 @@ TEST(HostileInput, WhatAKilledProgramLeftInTheTemporaryFolderGoesWithTheNextRead
   const TemporaryFolder temporary;
   writeFile(folder / "a.nii", Bytes(10, 0));
   const auto leave = [&](const char* name, std::chrono::minutes age) {
-    const std::filesystem::path left = temporary / name;
+    std::filesystem::path left = temporary / name;
     writeFile(left / "answer", Bytes(10, 0));
     std::filesystem::last_write_time(left, std::filesystem::file_time_type::clock::now() - age);
     return left;
