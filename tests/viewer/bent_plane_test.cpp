@@ -332,7 +332,9 @@ TEST(SliceCurve, OfATipOfTwoMillimetresIsDrawnWhereverItIs) {
   const double z = geometry.toWorld(SlicePoint(0, 0), slice).z();
   for (int n = 0; n < 25; ++n) {
     // A dome of height 22.5 - r^2 / 40 about its top: 0.02 mm below it a circle of radius 0.9.
-    const HalfSpace plane{Vec3(0.4 * (n % 5), 0.4 * (n / 5), z - 22.48), Vec3::UnitZ()};
+    const int across = n % 5;
+    const int along = n / 5;
+    const HalfSpace plane{Vec3(0.4 * across, 0.4 * along, z - 22.48), Vec3::UnitZ()};
     ResectionPlane bent(plane, flatBend(plane, 30));
     for (const std::size_t inner : {5U, 6U, 9U, 10U}) {
       bent.bend->heightsMm[inner] = 40;
