@@ -42,7 +42,7 @@ inline Inside forkVeins() {
 }
 
 /// The fork moved by `place` (from the fork's frame to the world), on a grid of `spacing` along `direction`.
-inline Case forkCase(const Vec3& spacing = Vec3(1, 1, 1), const Eigen::Isometry3d& place = Eigen::Isometry3d::Identity(),
+inline Case forkCase(const Vec3& spacing, const Eigen::Isometry3d& place = Eigen::Isometry3d::Identity(),
                      const Mat3& direction = Mat3::Identity()) {
   ImageGeometry g;
   g.spacing = spacing;
@@ -63,6 +63,12 @@ inline Case forkCase(const Vec3& spacing = Vec3(1, 1, 1), const Eigen::Isometry3
   return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, moved(block(kForkLow, kForkHigh))},
                                              {"portal vein", StructureKind::PortalVein, moved(forkPortal())},
                                              {"hepatic veins", StructureKind::HepaticVein, moved(forkVeins())}}));
+}
+
+/// The fork where it stands, on voxels of 1 mm.
+inline const Case& forkCase() {
+  static const Case fork = forkCase(Vec3(1, 1, 1));
+  return fork;
 }
 
 /// The part of the fork's liver with x > border and low < z < high, as a resection of the fork's frame.

@@ -44,7 +44,7 @@ TEST(LeftAndRight, AreProposedByThePatientsSidesAndNotConfirmed) {
 }
 
 TEST(LeftAndRight, ChangeSidesInAMirroredPatient) {
-  const Case source = forkCase();
+  const Case& source = forkCase();
   ImageGeometry mirrored = source.liver->geometry;
   mirrored.direction.col(0) = -mirrored.direction.col(0);
   mirrored.origin[0] = -mirrored.origin[0];

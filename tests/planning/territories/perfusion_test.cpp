@@ -113,7 +113,7 @@ TEST(Perfusion, FollowsAnObliqueLiverOnAnyGrid) {
 }
 
 TEST(Perfusion, TumourInTheLostPartIsNoFunctionThatIsLost) {
-  const Case plain = forkCase();
+  const Case& plain = forkCase();
   auto segmentation = std::make_shared<Segmentation>(*plain.segmentation);
   LabelledMask tumour;
   tumour.name = "tumour";
@@ -186,7 +186,7 @@ TEST(Perfusion, IsTheSameForAnyNumberOfThreadsAndCanBeCancelled) {
 }
 
 TEST(TerritoryJson, HasTheKeysOfTheContractBehindThoseOfThePlan) {
-  const Case source = forkCase();
+  const Case& source = forkCase();
   const LiverPerfusion perfusion(source);
   const ResectionPlan plan = planOf({forkSlab(0, 10)});
   TerritoryReport report;

@@ -27,7 +27,7 @@ const double kLeftMl = (40 - kForkBorder) * 40 * 60 * 1e-3;
 const double kRightMl = (40 + kForkBorder) * 40 * 60 * 1e-3;
 
 TEST(TerritoryVolumes, BorderOfParallelBranchesIsThePlaneHalfway) {
-  const Case source = forkCase();
+  const Case& source = forkCase();
   const Territories made = leftRight(source);
   const auto volumes = volumesOf(made, {});
   ASSERT_EQ(volumes.size(), 2U);
@@ -55,7 +55,7 @@ TEST(TerritoryVolumes, AddUpToTheLiverAndFollowTheirShapeInTurnedGrids) {
 }
 
 TEST(TerritoryVolumes, AreTakenByAPlanAsTheWholeLiverIs) {
-  const Case source = forkCase();
+  const Case& source = forkCase();
   const Territories made = leftRight(source);
   const PlanAssessor assessor(source);
   const ResectionPlan plan = planOf({{{Vec3(3.3, 2, 1), Vec3(1, 0.3, -0.2).normalized()}}, forkSlab(-10, 3.7)});
@@ -71,7 +71,7 @@ TEST(TerritoryVolumes, AreTakenByAPlanAsTheWholeLiverIs) {
 }
 
 TEST(TerritoryVolumes, PickBehindAPickTakesItsPart) {
-  const Case source = forkCase();
+  const Case& source = forkCase();
   const VesselGraph portal = portalOf(source);
   TerritoryChoice choice;
   choice.picks = {{"all", {0}}, {"one arm", {1}}};
@@ -83,7 +83,7 @@ TEST(TerritoryVolumes, PickBehindAPickTakesItsPart) {
 }
 
 TEST(TerritoryVolumes, PicksThatMakeNoSenseAreRefused) {
-  const Case source = forkCase();
+  const Case& source = forkCase();
   const VesselGraph portal = portalOf(source);
   const auto refused = [&](std::vector<TerritoryPick> picks) {
     TerritoryChoice choice;
@@ -98,7 +98,7 @@ TEST(TerritoryVolumes, PicksThatMakeNoSenseAreRefused) {
 }
 
 TEST(TerritoryVolumes, SegmentMapGivesItsPartsAndWhatItLeavesOut) {
-  const Case source = forkCase();
+  const Case& source = forkCase();
   const ImageGeometry& g = source.liver->geometry;
   auto map = segmentationOf(g, {{"liver_segment_2", StructureKind::Liver, block(Vec3(0, -20, -20), kForkHigh)},
                                 {"segment 8", StructureKind::Liver, block(Vec3(-30, -30, -30), Vec3(10, 20, 40))},
@@ -118,7 +118,7 @@ TEST(TerritoryVolumes, SegmentMapGivesItsPartsAndWhatItLeavesOut) {
 }
 
 TEST(TerritoryVolumes, SegmentMapOnAnotherGridOrWithoutSegmentsIsRefused) {
-  const Case source = forkCase();
+  const Case& source = forkCase();
   auto map = std::make_shared<Segmentation>(*source.segmentation);
   map->geometry.origin[0] += 1;
   EXPECT_THROW(segmentTerritories(*source.liver, *map), InputError);

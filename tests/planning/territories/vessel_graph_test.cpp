@@ -190,7 +190,7 @@ TEST(VesselGraphs, AreTheSameForAnyNumberOfThreadsAndCanBeCancelled) {
 }
 
 TEST(VesselGraphs, MaskOfAnotherGridIsRefused) {
-  const Case source = forkCase();
+  const Case& source = forkCase();
   ImageGeometry smaller = source.liver->geometry;
   smaller.size[2] /= 2;
   EXPECT_THROW(vesselGraphOf(VesselSystem::Portal, *source.segmentation->structures[1].mask, smaller, source.liver->liver),
