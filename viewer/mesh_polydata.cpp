@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <span>
 
+#include "reconstruction/mesh/vertex_normals.h"
 #include "reconstruction/parallel.h"
 #include "viewer/clustering.h"
 
@@ -22,22 +23,6 @@ namespace {
 constexpr std::size_t kCoarseTriangles = 6000;
 /// Per structure; of a view at rest where the whole mesh takes too long (software OpenGL).
 constexpr std::size_t kReducedTriangles = 20000;
-
-std::vector<Vec3> vertexNormals(const SurfaceMesh& mesh) {
-  std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3& a = mesh.vertices[t[0]];
-    const Vec3 area = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
-    for (const std::uint32_t corner : t) {
-      normals[corner] += area;
-    }
-  }
-  for (Vec3& normal : normals) {
-    const double length = normal.norm();
-    normal = length > 0 ? Vec3(normal / length) : Vec3(Vec3::UnitZ());
-  }
-  return normals;
-}
 
 }  // namespace
 

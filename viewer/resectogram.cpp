@@ -6,7 +6,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolButton>
-#include <QWheelEvent>
 #include <algorithm>
 
 namespace glisson {
@@ -107,6 +106,7 @@ QString fitting(const QFontMetrics& metrics, int width, const QStringList& texts
 
 Resectogram::Resectogram(QWidget* parent) : QWidget(parent), fold_(new QToolButton(this)) {
   setObjectName("resectogram");
+  setAttribute(Qt::WA_NoMousePropagation);
   fold_->setObjectName("foldMap");
   fold_->setFocusPolicy(Qt::NoFocus);  // keys stay with the view
   fold_->setFixedSize(fontMetrics().height() + 4, fontMetrics().height() + 4);
@@ -164,15 +164,8 @@ void Resectogram::resizeEvent(QResizeEvent* /*event*/) { fold_->move(width() - f
 
 void Resectogram::mousePressEvent(QMouseEvent* event) {
   event->accept();
-  if (!unfolded_) {
-    setUnfolded(true);
-  }
+  setUnfolded(true);
 }
-
-void Resectogram::mouseMoveEvent(QMouseEvent* event) { event->accept(); }
-void Resectogram::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
-void Resectogram::mouseDoubleClickEvent(QMouseEvent* event) { event->accept(); }
-void Resectogram::wheelEvent(QWheelEvent* event) { event->accept(); }
 
 void Resectogram::setMap(std::optional<ResectionMap> map, const QImage& margins) {
   map_ = std::move(map);

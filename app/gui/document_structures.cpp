@@ -2,6 +2,7 @@
 
 #include "app/gui/document.h"
 #include "app/gui/edit_commands.h"
+#include "planning/storage/surface_hash.h"
 
 namespace glisson {
 
@@ -69,6 +70,7 @@ void Document::withdrawAcceptance(const std::string& structureId) {
     pushAcceptance(QStringLiteral("withdraw the acceptance of %1").arg(shownNameOf(*structure)), {structure}, {});
   }
 }
+
 void Document::pushAcceptance(const QString& name, const std::vector<const Structure*>& structures,
                               const std::optional<Acceptance>& after) {
   std::vector<StructureChange> changes;

@@ -58,7 +58,6 @@ MainWindow::MainWindow(JobRunner& jobs, Language& language, std::filesystem::pat
   setWindowLevel(settings.value("windowWidth", WindowLevel{}.width).toDouble(),
                  settings.value("windowLevel", WindowLevel{}.level).toDouble());
   onCaseChanged();
-  showRecent();
   retranslateUi();
 }
 
@@ -301,6 +300,7 @@ void MainWindow::retranslateUi() {
   if (actions_ != nullptr) {
     actions_->retranslateUi();
     refreshStates();
+    showRecent();  // its texts are of the language
   }
 }
 

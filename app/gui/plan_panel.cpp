@@ -53,12 +53,16 @@ class Column : public QWidget {
   }
 };
 
+/// ">= 6.9"; empty where there is no lower bound.
+QString atLeastText(const TumourAssessment& tumour) {
+  return tumour.marginAtLeastMm ? QStringLiteral("\u2265\u00A0") + numberText(*tumour.marginAtLeastMm, 1) : QString();
+}
+
 QString marginText(const TumourAssessment& tumour) {
   if (tumour.marginMm) {
     // the unit stands in the header: the column is narrow
-    return tumour.marginAtLeastMm ? numberText(*tumour.marginMm, 1) + QStringLiteral(" (\u2265\u00A0") +
-                                        numberText(*tumour.marginAtLeastMm, 1) + QLatin1Char(')')
-                                  : numberText(*tumour.marginMm, 1);
+    const QString margin = numberText(*tumour.marginMm, 1);
+    return tumour.marginAtLeastMm ? QStringLiteral("%1 (%2)").arg(margin, atLeastText(tumour)) : margin;
   }
   return QStringLiteral("-");
 }
@@ -77,9 +81,8 @@ QString shortMargin(const TumourAssessment& tumour) {
   if (!tumour.marginMm) {
     return QStringLiteral("-");
   }
-  const QString atLeast =
-      tumour.marginAtLeastMm ? QStringLiteral(", \u2265\u00A0") + numberText(*tumour.marginAtLeastMm, 1) : QString();
-  return mmText(*tumour.marginMm) + atLeast;
+  const QString margin = mmText(*tumour.marginMm);
+  return tumour.marginAtLeastMm ? QStringLiteral("%1, %2").arg(margin, atLeastText(tumour)) : margin;
 }
 
 }  // namespace
@@ -94,6 +97,16 @@ QString stateText(TumourState state) {
       break;
   }
   return PlanPanel::tr("left");
+}
+
+QStringList tumourNames(const PlanAssessment& assessment, TumourState state) {
+  QStringList names;
+  for (const TumourAssessment& tumour : assessment.tumours) {
+    if (tumour.state == state) {
+      names << shownName(tumour.name);
+    }
+  }
+  return names;
 }
 
 PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& territories, QWidget* parent)
@@ -255,12 +268,7 @@ void PlanPanel::refreshMargin() {
 void PlanPanel::showTumoursLeft(const TumourAssessment& decisive) {
   const PlanAssessment& now = document_.assessment();
   const TumourCounts counts = tumourCounts(now);
-  QStringList names;
-  for (const TumourAssessment& tumour : now.tumours) {
-    if (tumour.state == TumourState::Left) {
-      names << shownName(tumour.name);
-    }
-  }
+  const QStringList names = tumourNames(now, TumourState::Left);
   margin_->setCaption(decisive.marginMm ? tr("TUMOURS, margin of the removed %1").arg(shortMargin(decisive))
                                         : tr("TUMOURS, none is removed"));
   margin_->setValue(tr("%1 of %2").arg(counts.left).arg(counts.all()), stateText(TumourState::Left));
@@ -272,8 +280,7 @@ void PlanPanel::showMarginOf(const TumourAssessment& tumour) {
   const double safetyMm = document_.plan().safetyMarginMm;
   const TumourCounts counts = tumourCounts(document_.assessment());
   margin_->setCaption(tr("MARGIN %1, %2").arg(shownName(tumour.name), stateText(tumour.state)));
-  margin_->setValue(tumour.marginMm ? mmText(*tumour.marginMm) : QStringLiteral("- mm"),
-                    tumour.marginAtLeastMm ? QStringLiteral("\u2265\u00A0") + numberText(*tumour.marginAtLeastMm, 1) : QString());
+  margin_->setValue(tumour.marginMm ? mmText(*tumour.marginMm) : QStringLiteral("- mm"), atLeastText(tumour));
   if (tumour.state == TumourState::Cut) {
     margin_->setWarning(QStringLiteral("\u26A0 ") + (counts.left > 0  ? tr("is cut, %1 left").arg(counts.left)
                                                      : counts.cut > 1 ? tr("%1 tumours are cut").arg(counts.cut)

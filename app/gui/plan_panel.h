@@ -69,5 +69,7 @@ class PlanPanel : public Translated<QWidget> {
 
 /// "removed", "cut", "left", in the window's language.
 QString stateText(TumourState state);
+/// The names, as they are shown, of the tumours in this state.
+QStringList tumourNames(const PlanAssessment& assessment, TumourState state);
 
 }  // namespace glisson

@@ -16,8 +16,8 @@
 #include "app/gui/plan_panel.h"
 #include "app/gui/sentences.h"
 #include "app/gui/territory_box.h"
-#include "planning/case/structure_state.h"
 #include "planning/exchange/version.h"
+#include "planning/storage/surface_hash.h"
 #include "planning/volumetry/tumour_measures.h"
 #include "reconstruction/errors.h"
 #include "viewer/model_view.h"
@@ -103,12 +103,7 @@ QString numbersOf(const PlanReport& report) {
 /// What matters before any margin: tumours that are cut or stay behind; empty where all are removed.
 QString untreatedOf(const PlanAssessment& assessment) {
   const auto sentence = [&](TumourState state, const QString& text) {
-    QStringList names;
-    for (const TumourAssessment& tumour : assessment.tumours) {
-      if (tumour.state == state) {
-        names << shownName(tumour.name);
-      }
-    }
+    const QStringList names = tumourNames(assessment, state);
     const QString number = ReportText::tr("%1 of %2").arg(names.size()).arg(assessment.tumours.size());
     return names.isEmpty() ? QString() : paragraph(text.arg(number, names.join(QStringLiteral(", "))));
   };

@@ -64,6 +64,7 @@ StartPage::StartPage(QWidget* parent)
   connect(recent_, &QListWidget::itemClicked, this,
           [this](const QListWidgetItem* item) { emit recentRequested(item->data(Qt::UserRole).toString()); });
   retranslateUi();
+  setRecent({});
 }
 
 void StartPage::retranslateUi() {
@@ -78,11 +79,9 @@ void StartPage::retranslateUi() {
          "2. Place the resection plane on the liver and move it: volumes and margins follow.\n"
          "3. Export the package for navigation."));
   recentTitle_->setText(tr("Last cases"));
-  setRecent(cases_);
 }
 
 void StartPage::setRecent(const QList<RecentCase>& cases) {
-  cases_ = cases;
   recent_->clear();
   for (const RecentCase& one : cases) {
     auto* item = new QListWidgetItem(one.text(), recent_);

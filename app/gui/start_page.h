@@ -35,7 +35,6 @@ class StartPage : public Translated<QWidget> {
   QLabel* drop_;
   QLabel* recentTitle_;
   QListWidget* recent_;
-  QList<RecentCase> cases_;
 };
 
 }  // namespace glisson

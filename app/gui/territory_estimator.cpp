@@ -62,6 +62,7 @@ void TerritoryEstimator::forget() {
   perfusion_.reset();
   choice_ = {};
   territories_.reset();
+  tumours_.clear();
   report_.reset();
   become(State::None);
 }
@@ -136,11 +137,15 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
     none->source = choice_.source;
     none->notes = choice_.notes;
     territories_ = std::move(none);
+    tumours_.clear();
     keep(step);
     follow();
     return;
   }
-  using Parts = std::shared_ptr<const Territories>;
+  struct Parts {
+    std::shared_ptr<const Territories> territories;
+    std::vector<TumourTerritories> tumours;
+  };
   JobRequest request{.key = "territories", .title = tr("Territories")};
   request.fail = [this](const std::exception& error) {
     emit refused(messageOf(error));
@@ -150,13 +155,18 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
   division_ = 0;  // that a newer division takes the place of this one is no end
   division_ = submitFor<Parts>(
       jobs_, std::move(request),
-      [liver = document_.content().liver, perfusion = perfusion_, choice](const ExecutionContext& context) {
-        return std::make_shared<const Territories>(territoriesOf(*liver, perfusion->portal(), choice, context));
+      [content = document_.content(), perfusion = perfusion_, choice](const ExecutionContext& context) {
+        Parts parts;
+        parts.territories =
+            std::make_shared<const Territories>(territoriesOf(*content.liver, perfusion->portal(), choice, context));
+        parts.tumours = tumourTerritories(content, *parts.territories);
+        return parts;
       },
-      [this, perfusion = perfusion_, choice, step](const Parts& parts) {
+      [this, perfusion = perfusion_, choice, step](Parts parts) {
         if (perfusion_ == perfusion) {
           choice_ = choice;
-          territories_ = parts;
+          territories_ = std::move(parts.territories);
+          tumours_ = std::move(parts.tumours);
           keep(step);
           follow();
         }
@@ -180,10 +190,8 @@ void TerritoryEstimator::follow() {
   request.fail = [this](const std::exception& error) { emit refused(messageOf(error)); };
   submitFor<TerritoryReport>(
       jobs_, std::move(request),
-      [perfusion = perfusion_, territories = territories_, plan = document_.plan(),
-       content = document_.content()](const ExecutionContext&) {
-        TerritoryReport report{*territories, volumesOf(*territories, plan), perfusion->effectOf(plan), perfusion->notes(),
-                               tumourTerritories(content, *territories)};
+      [perfusion = perfusion_, territories = territories_, tumours = tumours_, plan = document_.plan()](const ExecutionContext&) {
+        TerritoryReport report{*territories, volumesOf(*territories, plan), perfusion->effectOf(plan), perfusion->notes(), tumours};
         report.notes.insert(report.notes.end(), territories->notes.begin(), territories->notes.end());
         return report;
       },

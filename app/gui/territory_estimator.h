@@ -60,6 +60,7 @@ class TerritoryEstimator : public QObject {
   std::shared_ptr<const LiverPerfusion> perfusion_;
   TerritoryChoice choice_;
   std::shared_ptr<const Territories> territories_;
+  std::vector<TumourTerritories> tumours_;  ///< where they lie in territories_
   std::optional<TerritoryReport> report_;
   ResectionPlan reported_;  ///< what report_ is of
 };

@@ -1,20 +1,12 @@
 #include "planning/case/structure_state.h"
 
 #include "planning/case/case.h"
-#include "planning/storage/sha256.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
 
 StructureState stateOf(const Structure& structure) {
   return {structure.id, structure.colour, structure.opacity, structure.visible, structure.acceptance, {}};
-}
-
-std::string surfaceHash(const SurfaceMesh& mesh) {
-  Sha256 sum;
-  sum.update(std::as_bytes(std::span(mesh.vertices)));
-  sum.update(std::as_bytes(std::span(mesh.triangles)));
-  return sum.hex();
 }
 
 std::shared_ptr<const LiverModel> withState(const LiverModel& model, const StructureState& from, const StructureState& to) {

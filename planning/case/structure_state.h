@@ -23,9 +23,6 @@ struct StructureState {
 /// Without the surface's hash.
 StructureState stateOf(const Structure& structure);
 
-/// SHA-256 of the vertices and triangles: the same for the same surface in any session.
-std::string surfaceHash(const SurfaceMesh& mesh);
-
 /// A new snapshot where the structure is in state `to` in all that differs from `from`; the rest stays as it is. Revision + 1.
 /// Throws PlanningError where there is no such structure, or no surface to accept.
 std::shared_ptr<const LiverModel> withState(const LiverModel& model, const StructureState& from, const StructureState& to);

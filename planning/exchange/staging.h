@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "planning/storage/file_lock.h"
+#include "reconstruction/file_lock.h"
 
 namespace glisson {
 

@@ -4,9 +4,9 @@
 
 #include "planning/storage/case_tables.h"
 #include "planning/storage/embedded_ct.h"
-#include "planning/storage/file_lock.h"
 #include "planning/storage/history_table.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/file_lock.h"
 
 namespace glisson {
 

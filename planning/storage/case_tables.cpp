@@ -6,6 +6,7 @@
 #include "planning/storage/embedded_ct.h"
 #include "planning/storage/history_table.h"
 #include "planning/storage/packing.h"
+#include "planning/storage/surface_hash.h"
 #include "planning/storage/table_access.h"
 #include "reconstruction/errors.h"
 

@@ -107,17 +107,6 @@ struct CellRow {
   std::size_t end = 0;
 };
 
-/// Nothing of the box remains: one resection has it as a whole.
-bool isResected(const Box& box, const std::vector<ImageResection>& plan) {
-  return std::any_of(plan.begin(), plan.end(), [&](const ImageResection& resection) {
-    return !resection.takesNothing() && std::all_of(resection.planes.begin(), resection.planes.end(), [&](const ImagePlane& plane) {
-      return plane.distance(box.centre) >= plane.support(box.half);
-    }) && std::all_of(resection.bends.begin(), resection.bends.end(), [&](const BentSurface& bend) {
-      return bend.above(box.centre) >= bend.reach(box.half);
-    });
-  });
-}
-
 /// What is lost, by 2 x (1: devascularised only, 2: congested only, 3: both) + functional.
 constexpr std::size_t kNoInflow = 2;
 constexpr std::size_t kNoOutflow = 4;

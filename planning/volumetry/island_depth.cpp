@@ -6,17 +6,9 @@
 namespace glisson {
 
 namespace {
-/// The planes resect the point; a point on the surface has depth 0 on either side.
-bool isResected(const Vec3& p, const std::vector<ImageResection>& plan) {
-  return std::ranges::any_of(plan, [&](const ImageResection& resection) {
-    return !resection.takesNothing() &&
-           std::ranges::all_of(resection.planes, [&](const ImagePlane& plane) { return plane.distance(p) >= 0; }) &&
-           std::ranges::all_of(resection.bends, [&](const BentSurface& bend) { return bend.above(p) >= 0; });
-  });
-}
-
-bool stays(const Vec3& p, const RowRun& voxel, const std::vector<ImageResection>& plan, const SidePieces& sides) {
-  const bool resected = isResected(p, plan);
+/// A point on the surface has depth 0 on either side.
+bool stays(const Box& point, const RowRun& voxel, const std::vector<ImageResection>& plan, const SidePieces& sides) {
+  const bool resected = isResected(point, plan);
   const auto piece = sides.pieceAt(resected ? PlanSide::Resected : PlanSide::Remnant, voxel.i, voxel.j, voxel.k);
   return piece && sides.pieces()[*piece].switched ? resected : !resected;
 }
@@ -34,7 +26,7 @@ CutDistance::Way greatestDepth(const VoxelRows& tumour, const Vec3& spacing, con
         const Vec3 p = cornerOf(box, corner);
         const Box point{p, Vec3::Zero()};
         const bool shallow = near < cut.pieces().size() && (p - cut.pieces()[near].polygon[0]).norm() <= deepest.mm;
-        if (shallow || !stays(p, voxel, plan, sides)) {
+        if (shallow || !stays(point, voxel, plan, sides)) {
           continue;
         }
         const CutDistance::Way way = cut.shortest(TumourBoxes({point}));

@@ -33,6 +33,16 @@ std::vector<ImageResection> toImage(const ResectionPlan& plan, const ImageGeomet
   return resections;
 }
 
+bool isResected(const Box& box, const std::vector<ImageResection>& plan) {
+  return std::any_of(plan.begin(), plan.end(), [&](const ImageResection& resection) {
+    return !resection.takesNothing() && std::all_of(resection.planes.begin(), resection.planes.end(), [&](const ImagePlane& plane) {
+      return plane.distance(box.centre) >= plane.support(box.half);
+    }) && std::all_of(resection.bends.begin(), resection.bends.end(), [&](const BentSurface& bend) {
+      return bend.above(box.centre) >= bend.reach(box.half);
+    });
+  });
+}
+
 namespace {
 bool isOnePlane(const std::vector<ImageResection>& plan) {
   return plan.size() == 1 && plan[0].bends.size() + plan[0].planes.size() == 1;

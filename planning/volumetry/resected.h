@@ -24,6 +24,9 @@ struct ImageResection {
 /// The plan in the image frame. Resections without planes take nothing. Throws PlanningError where a plane is not finite.
 std::vector<ImageResection> toImage(const ResectionPlan& plan, const ImageGeometry& geometry);
 
+/// Nothing of the box, or of a point, surely remains: one resection has it as a whole.
+bool isResected(const Box& box, const std::vector<ImageResection>& plan);
+
 struct Resected {
   std::vector<std::int64_t> units;  ///< per resection, without what an earlier one has
   std::vector<double> cutAreaMm2;   ///< per resection: its planes' sections of the voxels, where they bound the resected region

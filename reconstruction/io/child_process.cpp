@@ -3,8 +3,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +13,7 @@
 #include <limits>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/file_lock.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -37,49 +36,25 @@ class Descriptor {
       value_ = -1;
     }
   }
-  void reset(int value) {
-    close();
-    value_ = value;
-  }
   [[nodiscard]] int get() const { return value_; }
 
  private:
   int value_;
 };
 
-/// Removes what programs that were killed have left behind: their locks went with them.
-void removeLeftFolders(const fs::path& place, const std::string& prefix) {
-  constexpr auto kMinute = std::chrono::minutes(1);  // a folder is locked a moment after it is made
-  std::error_code ignored;
-  for (fs::directory_iterator entry(place, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
-    if (!entry->path().filename().string().starts_with(prefix) || entry->is_symlink(ignored) ||
-        fs::file_time_type::clock::now() - entry->last_write_time(ignored) < kMinute) {
-      continue;
-    }
-    const Descriptor folder(::open(entry->path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-    struct stat about {};
-    if (folder.get() >= 0 && ::fstat(folder.get(), &about) == 0 && about.st_uid == ::geteuid() &&
-        ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0) {
-      std::error_code stays;
-      fs::remove_all(entry->path(), stays);
-    }
-  }
-}
-
 /// A private folder that goes with the object, or with the next one where the program is killed.
 class TemporaryFolder {
  public:
-  TemporaryFolder() : lock_(-1) {
+  TemporaryFolder() {
     const fs::path place = fs::temp_directory_path();
-    static const std::string prefix = "glisson-import-";
-    removeLeftFolders(place, prefix);
+    const std::string prefix = "glisson-import-";
+    removeAbandoned(place, [&](const std::string& name) { return name.starts_with(prefix) && isOld(place / name); });
     std::string pattern = (place / (prefix + "XXXXXX")).string();
     if (::mkdtemp(pattern.data()) == nullptr) {
       throw InputError("No temporary folder can be made in " + place.string() + "; free some space there.");
     }
     path_ = pattern;
-    lock_.reset(::open(pattern.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    ::flock(lock_.get(), LOCK_EX | LOCK_NB);
+    lock_ = FileLock(path_);
   }
   ~TemporaryFolder() {
     std::error_code ignored;
@@ -90,8 +65,16 @@ class TemporaryFolder {
   [[nodiscard]] fs::path file(const char* name) const { return path_ / name; }
 
  private:
+  /// A younger one may be another program's that has not locked it yet.
+  static bool isOld(const fs::path& folder) {
+    constexpr auto kMinute = std::chrono::minutes(1);
+    std::error_code gone;
+    const fs::file_time_type changed = fs::last_write_time(folder, gone);
+    return !gone && fs::file_time_type::clock::now() - changed >= kMinute;
+  }
+
   fs::path path_;
-  Descriptor lock_;
+  FileLock lock_;
 };
 
 /// A started child; killed and reaped with the object unless it was waited for.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reconstruction/mesh/vertex_normals.h"
 #include "reconstruction/methods/point_tree.h"
 #include "reconstruction/parallel.h"
 
@@ -16,21 +17,7 @@ constexpr std::size_t kGrain = 1024;
 /// Outward, by area, smoothed over the neighbours so that a voxel's steps count little.
 std::vector<Vec3> smoothNormals(const SurfaceMesh& mesh) {
   constexpr int kRounds = 4;
-  std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3& a = mesh.vertices[t[0]];
-    const Vec3 area = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
-    for (const std::uint32_t corner : t) {
-      normals[corner] += area;
-    }
-  }
-  const auto normalise = [](std::vector<Vec3>& all) {
-    for (Vec3& normal : all) {
-      const double length = normal.norm();
-      normal = length > 0 ? Vec3(normal / length) : Vec3(Vec3::UnitZ());
-    }
-  };
-  normalise(normals);
+  std::vector<Vec3> normals = vertexNormals(mesh);
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Vec3> sums = normals;
     for (const Triangle& t : mesh.triangles) {

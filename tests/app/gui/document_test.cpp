@@ -35,6 +35,13 @@ class DocumentTest : public testing::Test {
     document->flush();
     return CaseFile::open(path).load().plans.front();
   }
+  /// What is on disk now, as the next start opens it; read only here.
+  void openAgain(Document& again) {
+    document->flush();
+    auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));
+    Case read = file->load();
+    again.open(std::move(read), std::move(file));
+  }
 };
 
 TEST_F(DocumentTest, PlacingAPlaneIsOneNamedStepAndUndoTakesItBack) {
@@ -346,11 +353,8 @@ TEST_F(DocumentTest, ACrashLosesNoEditOfThePatientNorItsPlaceInTheHistory_H6) {
   document->undoStack().undo();
   document->undoStack().undo();
   document->undoStack().redo();
-  document->flush();
-  auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));  // as the next start does, read only here
-  Case read = file->load();
   Document again(jobs, recovery());
-  again.open(std::move(read), std::move(file));
+  openAgain(again);
   QUndoStack& stack = again.undoStack();
   ASSERT_EQ(stack.count(), 3);
   EXPECT_EQ(again.content().patient, small);
@@ -373,11 +377,8 @@ TEST_F(DocumentTest, ACrashLosesNeitherTheLastEditNorItsHistory_H6) {
   document->movePlane(planeAt(9));
   document->undoStack().undo();
   document->edit(SetSafetyMargin{4});
-  document->flush();
-  auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));  // as the next start does, read only here
-  Case read = file->load();
   Document again(jobs, recovery());
-  again.open(std::move(read), std::move(file));
+  openAgain(again);
   QUndoStack& stack = again.undoStack();
   ASSERT_EQ(stack.count(), 3);
   EXPECT_EQ(stack.undoText(), "change safety margin");
@@ -413,11 +414,8 @@ TEST_F(DocumentTest, ACrashLosesNoEditOfAnyKindNorItsPlaceInTheHistory_H6) {
   for (int n = 0; n < left.index(); ++n) {
     names << left.text(n);
   }
-  document->flush();
-  auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));  // as the next start does, read only here
-  Case read = file->load();
   Document again(jobs, recovery());
-  again.open(std::move(read), std::move(file));
+  openAgain(again);
   QUndoStack& stack = again.undoStack();
   QStringList restored;
   for (int n = 0; n < stack.count(); ++n) {
@@ -453,11 +451,8 @@ TEST_F(DocumentTest, AnAcceptanceOfAnEarlierSessionIsNotDoneAgainOnAnotherSurfac
   auto other = std::make_shared<Reconstruction>(*buildStructure(content, *content.model->find("tumour_01")).reconstruction);
   other->mesh.vertices.front() += Vec3(0.1, 0, 0);
   document->setReconstruction("tumour_01", other);
-  document->flush();
-  auto file = std::make_shared<CaseFile>(CaseFile::open(document->path()));
-  Case read = file->load();
   Document again(jobs, recovery());
-  again.open(std::move(read), std::move(file));
+  openAgain(again);
   ASSERT_EQ(again.undoStack().undoText(), "accept tumour 1");
   again.undoStack().undo();
   again.undoStack().redo();

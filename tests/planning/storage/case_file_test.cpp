@@ -14,8 +14,8 @@
 #include <fstream>
 #include <thread>
 
-#include "planning/storage/file_lock.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/file_lock.h"
 #include "tests/planning/voxel_bodies.h"
 
 namespace glisson {

@@ -9,6 +9,7 @@
 #include <csignal>
 
 #include "planning/storage/case_file.h"
+#include "planning/storage/surface_hash.h"
 #include "reconstruction/errors.h"
 #include "tests/planning/exchange/scratch.h"
 #include "tests/planning/voxel_bodies.h"

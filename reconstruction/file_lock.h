@@ -1,6 +1,6 @@
 #pragma once
-// Purpose: one writer per case file, told to other processes by the kernel's lock on the file itself (flock): no second file is
-// left behind, and a killed program's lock is gone with it.
+// Purpose: one writer per file or folder, told to other processes by the kernel's lock on the file itself (flock): no second file
+// is left behind, and a killed program's lock is gone with it.
 
 #include <filesystem>
 #include <functional>

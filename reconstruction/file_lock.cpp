@@ -1,4 +1,4 @@
-#include "planning/storage/file_lock.h"
+#include "reconstruction/file_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -46,13 +46,14 @@ bool FileLock::holds(const std::filesystem::path& path) const {
 
 void removeAbandoned(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& isTemporary) {
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    if (!isTemporary(entry.path().filename().string()) || entry.is_symlink(ignored)) {
+  std::error_code ended;
+  for (std::filesystem::directory_iterator entry(folder, ended), end; !ended && entry != end; entry.increment(ended)) {
+    if (!isTemporary(entry->path().filename().string()) || entry->is_symlink(ignored)) {
       continue;
     }
-    const FileLock left(entry.path());
+    const FileLock left(entry->path());
     if (left.isWriter()) {
-      std::filesystem::remove_all(entry.path(), ignored);
+      std::filesystem::remove_all(entry->path(), ignored);
     }
   }
 }
