@@ -28,10 +28,11 @@ void requireSamePatient(Segmentation& segmentation, const CtVolume& ct, const Re
   }
 }
 
-/// Which axis of the labels runs along axis a of the CT, and whether backwards.
+/// Which axis of the labels runs along axis a of the CT, whether backwards, and at which of the CT's voxels it begins.
 struct AxisMap {
   std::array<std::size_t, 3> axis{0, 1, 2};
   std::array<bool, 3> flipped{false, false, false};
+  Index3 first{0, 0, 0};
 
   [[nodiscard]] ImageGeometry apply(const ImageGeometry& from) const {
     ImageGeometry to = from;
@@ -49,7 +50,25 @@ struct AxisMap {
   }
 };
 
-/// The same voxels counted along other axes: found where a permutation and flips bring the corners together.
+/// The box of the CT's voxels that a grid is; nothing where it is none.
+std::optional<IndexBox> partOf(const ImageGeometry& ct, const ImageGeometry& grid) {
+  const Vec3 at = ct.toIndex(grid.origin).array().round();
+  IndexBox box{.size = grid.size};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double first = at[static_cast<Eigen::Index>(a)];
+    if (!(first >= 0 && first + grid.size[a] <= ct.size[a])) {
+      return std::nullopt;
+    }
+    box.first[a] = static_cast<int>(first);
+  }
+  ImageGeometry part = ct;
+  part.size = box.size;
+  part.origin = ct.toWorld(at);
+  return grid.cornerDistance(part) <= kSameGridMm ? std::optional(box) : std::nullopt;
+}
+
+/// The same voxels, or some of them (a crop), counted along other axes: found where a permutation and flips bring the corners
+/// together.
 std::optional<AxisMap> sameVoxels(const ImageGeometry& labels, const ImageGeometry& ct) {
   AxisMap map;
   do {
@@ -57,7 +76,8 @@ std::optional<AxisMap> sameVoxels(const ImageGeometry& labels, const ImageGeomet
       for (std::size_t a = 0; a < 3; ++a) {
         map.flipped[a] = ((flips >> a) & 1U) != 0;
       }
-      if (map.apply(labels).cornerDistance(ct) <= kSameGridMm) {
+      if (const std::optional<IndexBox> part = partOf(ct, map.apply(labels))) {
+        map.first = part->first;
         return map;
       }
     }
@@ -70,8 +90,8 @@ Mask reordered(const Mask& mask, const AxisMap& map, const Index3& labelSize) {
   for (std::size_t a = 0; a < 3; ++a) {
     const std::size_t source = map.axis[a];
     box.size[a] = mask.box().size[source];
-    box.first[a] =
-        map.flipped[a] ? labelSize[source] - mask.box().first[source] - mask.box().size[source] : mask.box().first[source];
+    box.first[a] = map.first[a] + (map.flipped[a] ? labelSize[source] - mask.box().first[source] - mask.box().size[source]
+                                                  : mask.box().first[source]);
   }
   std::vector<std::uint8_t> values;
   values.reserve(box.voxelCount());
@@ -81,7 +101,8 @@ Mask reordered(const Mask& mask, const AxisMap& map, const Index3& labelSize) {
         const Index3 voxel{box.first[0] + i, box.first[1] + j, box.first[2] + k};
         Index3 source{};
         for (std::size_t a = 0; a < 3; ++a) {
-          source[map.axis[a]] = map.flipped[a] ? labelSize[map.axis[a]] - 1 - voxel[a] : voxel[a];
+          const int at = voxel[a] - map.first[a];
+          source[map.axis[a]] = map.flipped[a] ? labelSize[map.axis[a]] - 1 - at : at;
         }
         values.push_back(mask.at(source[0], source[1], source[2]) ? 1 : 0);
       }
@@ -140,6 +161,18 @@ Mask resampled(const Mask& mask, const ImageGeometry& labels, const ImageGeometr
   }
   return {box, values};
 }
+
+/// A crop's border is not the image's: what is cut off there would not be seen any more.
+void noteCrop(Segmentation& segmentation) {
+  const Index3& size = segmentation.geometry.size;
+  segmentation.notes.push_back("The labels lie on a part of the CT's grid (" + std::to_string(size[0]) + "x" +
+                               std::to_string(size[1]) + "x" + std::to_string(size[2]) + " of its voxels).");
+  for (const LabelledMask& structure : segmentation.structures) {
+    if (structure.mask && structure.mask->touchesBorder(size)) {
+      segmentation.notes.push_back("\"" + structure.name + "\" reaches the border of the labels' grid and may be cut off there.");
+    }
+  }
+}
 }  // namespace
 
 Segmentation matchToCt(Segmentation segmentation, const CtVolume& ct, const ReadOptions& options) {
@@ -155,6 +188,9 @@ Segmentation matchToCt(Segmentation segmentation, const CtVolume& ct, const Read
   if (!map && !options.consents.contains(Consent::ResampleLabels)) {
     throw InputError(segmentation.source + " does not lie on the grid of the CT (labels: " + labels.describe() + "; CT: " +
                      ct.geometry.describe() + "); choose the right files, or accept resampling with --accept resample-labels.");
+  }
+  if (map && labels.voxelCount() < ct.geometry.voxelCount()) {
+    noteCrop(segmentation);
   }
   for (LabelledMask& structure : segmentation.structures) {
     if (!structure.mask) {

@@ -64,6 +64,60 @@ TEST(MatchToCt, H1TheSameVoxelsCountedAlongOtherAxesAreReorderedExactly) {
   }
 }
 
+/// `grid` with some of its outer voxels taken off.
+ImageGeometry cropOf(const ImageGeometry& grid, const Index3& low, const Index3& high) {
+  ImageGeometry crop = grid;
+  crop.origin = grid.toWorld(Vec3(low[0], low[1], low[2]));
+  for (std::size_t a = 0; a < 3; ++a) {
+    crop.size[a] -= low[a] + high[a];
+  }
+  return crop;
+}
+
+bool says(const std::vector<std::string>& notes, const std::string& what) {
+  return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(what) != std::string::npos; });
+}
+
+TEST(MatchToCt, H1ACropOfTheSameVoxelsLiesWhereItsVoxelsLie) {
+  const ImageGeometry labels = permutedGrid(0, 25);
+  const Segmentation body = bodyOn(labels);
+  const Mask& mask = *body.structures[0].mask;
+  // around the labels' grid a larger one on the same lattice, and that one counted backwards along j
+  const Index3 low{3, 0, 2};
+  ImageGeometry larger = cropOf(labels, {-low[0], -low[1], -low[2]}, {-1, -4, 0});
+  ImageGeometry backwards = larger;
+  backwards.origin = larger.toWorld(Vec3(0, larger.size[1] - 1, 0));
+  backwards.direction.col(1) *= -1;
+  for (const ImageGeometry& grid : {larger, backwards}) {
+    const Segmentation matched = matchToCt(body, ctOn(grid));
+    EXPECT_EQ(matched.geometry.size, grid.size);
+    ASSERT_EQ(matched.structures[0].mask->count(), mask.count());
+    for (int k = 0; k < labels.size[2]; ++k) {
+      for (int j = 0; j < labels.size[1]; ++j) {
+        for (int i = 0; i < labels.size[0]; ++i) {
+          const Vec3 at = grid.toIndex(labels.toWorld(Vec3(i, j, k))).array().round();
+          ASSERT_EQ(matched.structures[0].mask->at(static_cast<int>(at[0]), static_cast<int>(at[1]), static_cast<int>(at[2])),
+                    mask.at(i, j, k));
+        }
+      }
+    }
+    EXPECT_TRUE(says(matched.notes, "part of the CT's grid"));
+  }
+}
+
+TEST(MatchToCt, ACropThatCutsAStructureSaysSoAndOneOffTheLatticeOrTheCtIsRefused) {
+  const ImageGeometry grid = permutedGrid(0, 25);
+  const IndexBox box = bodyOn(grid).structures[0].mask->box();
+  const Segmentation cut = bodyOn(cropOf(grid, {box.first[0] + 1, 0, 0}, {0, 0, 0}));
+  const Segmentation matched = matchToCt(cut, ctOn(grid));
+  EXPECT_TRUE(says(matched.notes, "may be cut off there"));
+  ImageGeometry shifted = cropOf(grid, {1, 1, 1}, {0, 0, 0});
+  shifted.origin += 0.05 * grid.spacing;
+  EXPECT_THROW(matchToCt(bodyOn(shifted), ctOn(grid)), InputError);
+  const ImageGeometry outside = cropOf(grid, {-1, 1, 1}, {1, 0, 0});
+  EXPECT_THROW(matchToCt(bodyOn(outside), ctOn(grid)), InputError);
+}
+
 TEST(MatchToCt, AnotherGridIsRefusedNamingBothAndResampledWithConsent) {
   const ImageGeometry labels = permutedGrid(0, 0);
   ImageGeometry grid = labels;
