@@ -2110,10 +2110,6 @@
         <translation>%1 enthält eine CT ohne Segmentierung; öffnen Sie die CT und ihre Segmentierung zusammen.</translation>
     </message>
     <message>
-        <source>The selection holds a CT without a segmentation; open the CT and its segmentation together.</source>
-        <translation>Die Auswahl enthält eine CT ohne Segmentierung; öffnen Sie die CT und ihre Segmentierung zusammen.</translation>
-    </message>
-    <message>
         <source>The CT of this case is no longer at %1; put it back to see the slices.</source>
         <translation>Die CT dieses Falls liegt nicht mehr unter %1; legen Sie sie zurück, um die Schichten zu sehen.</translation>
     </message>
@@ -2813,6 +2809,18 @@
         <source>The CT at %1 is not the one this case was made from (its files have changed): its slices are not shown; put the files of then back to see them.</source>
         <translation>Die CT unter %1 ist nicht die, aus der dieser Fall entstand (ihre Dateien wurden geändert): Ihre Schichten werden nicht gezeigt; legen Sie die damaligen Dateien zurück, um sie zu sehen.</translation>
     </message>
+    <message>
+        <source>The labels lie on a part of the CT&apos;s grid (%1 of its voxels).</source>
+        <translation>Die Labels liegen auf einem Teil des Gitters der CT (%1 ihrer Voxel).</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; reaches the border of the labels&apos; grid and may be cut off there.</source>
+        <translation>„%1“ reicht bis an den Rand des Gitters der Labels und ist dort vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>A note that names the patient is left out.</source>
+        <translation>Eine Anmerkung, die den Patienten nennt, ist weggelassen.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -2941,6 +2949,26 @@
     <message>
         <source>Use qform</source>
         <translation>qform verwenden</translation>
+    </message>
+    <message>
+        <source>Choose the segmentation of the CT</source>
+        <translation>Segmentierung der CT wählen</translation>
+    </message>
+    <message>
+        <source>The segmentation of this CT</source>
+        <translation>Die Segmentierung dieser CT</translation>
+    </message>
+    <message>
+        <source>A CT alone makes no model. Choose the file or the folder that holds its segmentation.</source>
+        <translation>Aus einer CT allein wird kein Modell. Wählen Sie die Datei oder den Ordner mit ihrer Segmentierung.</translation>
+    </message>
+    <message>
+        <source>A file...</source>
+        <translation>Eine Datei...</translation>
+    </message>
+    <message>
+        <source>A folder...</source>
+        <translation>Ein Ordner...</translation>
     </message>
 </context>
 <context>
@@ -5129,6 +5157,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Tumours left behind: %1 (%2).</source>
         <translation>Belassene Tumoren: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Notes on the input and the surfaces</source>
+        <translation>Anmerkungen zu Eingabe und Oberflächen</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "app/gui/case_opener.h"
 
+#include "app/gui/file_dialog.h"
 #include "app/gui/label_dialog.h"
 #include "app/gui/question_box.h"
 #include "app/gui/sentences.h"
@@ -78,6 +79,15 @@ void CaseOpener::start(const OpenRequest& request) {
 }
 
 void CaseOpener::handle(const OpenRequest& request, OpenedCase result) {
+  if (!result.loneCt.empty()) {
+    const QString ct = QString::fromStdString(result.loneCt.string());
+    if (unattended_) {
+      emit refused(QStringLiteral("%1 holds a CT without a segmentation; open the CT and its segmentation together.").arg(ct));
+    } else {
+      askSegmentation(request, ct);
+    }
+    return;
+  }
   if (!result.needsKinds()) {
     emit opened(result.content, result.file, toTexts(request), QString::fromStdString(result.noCt));
     return;
@@ -102,6 +112,27 @@ void CaseOpener::handleRefusal(const OpenRequest& request, const std::exception&
   } else {
     askFrame(request, messageOf(error));
   }
+}
+
+void CaseOpener::askSegmentation(const OpenRequest& request, const QString& ct) {
+  const auto choose = [this, request](QFileDialog::FileMode mode) {
+    return [this, request, mode] {
+      QFileDialog* dialog = makeFileDialog(dialogParent_, "segmentationChoice", tr("Choose the segmentation of the CT"));
+      dialog->setFileMode(mode);
+      connect(dialog, &QFileDialog::fileSelected, this, [this, request](const QString& path) {
+        rememberFolder({path});
+        OpenRequest again = request;
+        again.paths.emplace_back(path.toStdString());
+        start(again);
+      });
+      dialog->open();
+    };
+  };
+  ask(dialogParent_,
+      {"segmentationDialog", tr("The segmentation of this CT"),
+       tr("A CT alone makes no model. Choose the file or the folder that holds its segmentation."), ct},
+      {{"segmentationFile", tr("A file..."), choose(QFileDialog::ExistingFile)},
+       {"segmentationFolder", tr("A folder..."), choose(QFileDialog::Directory)}});
 }
 
 void CaseOpener::askKinds(const OpenRequest& request, const std::vector<LabelledMask>& unknown) {

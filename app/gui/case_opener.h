@@ -1,5 +1,6 @@
 #pragma once
-// Purpose: opens a case in a job and asks what only a person can answer: the kind of an unknown label, consent to a doubtful input.
+// Purpose: opens a case in a job and asks what only a person can answer: the segmentation of a CT, the kind of an
+// unknown label, consent to a doubtful input.
 // Dialogs never block the event loop. With setUnattended() nothing is asked: what would be a question is a refusal.
 
 #include <QObject>
@@ -32,6 +33,7 @@ class CaseOpener : public QObject {
   void start(const OpenRequest& request);
   void handle(const OpenRequest& request, OpenedCase result);
   void handleRefusal(const OpenRequest& request, const std::exception& error);
+  void askSegmentation(const OpenRequest& request, const QString& ct);
   void askKinds(const OpenRequest& request, const std::vector<LabelledMask>& unknown);
   void askConsent(const OpenRequest& request, Consent consent, const QString& refusal);
   void askFrame(const OpenRequest& request, const QString& refusal);

@@ -88,8 +88,10 @@ void CasePanel::refresh() {
 void CasePanel::refreshNotes() {
   notes_->clear();
   const Case& content = document_.content();
-  for (const std::string& note : content.notes) {
-    notes_->addItem(shownSentence(note));
+  for (const auto* notes : {&content.notes, &content.ctNotes}) {
+    for (const std::string& note : *notes) {
+      notes_->addItem(shownSentence(note));
+    }
   }
   if (content.model) {
     for (const Structure& structure : content.model->structures) {

@@ -128,7 +128,7 @@ void Document::setNoCt(const QString& sentence) {
 }
 
 void Document::addNote(const QString& sentence) {
-  case_.notes.push_back(sentence.toStdString());
+  case_.ctNotes.push_back(sentence.toStdString());
   emit notesChanged();
 }
 

@@ -3,12 +3,10 @@
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDragEnterEvent>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QSettings>
 
+#include "app/gui/file_dialog.h"
 #include "app/gui/job_bar.h"
 #include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
@@ -21,25 +19,8 @@
 
 namespace glisson {
 
-namespace {
-
-QFileDialog* makeDialog(QWidget* parent, const QString& name, const QString& title) {
-  auto* dialog = new QFileDialog(parent, title, QSettings().value("lastFolder").toString());
-  dialog->setObjectName(name);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  return dialog;
-}
-
-void rememberFolder(const QStringList& paths) {
-  if (!paths.isEmpty()) {
-    QSettings().setValue("lastFolder", QFileInfo(paths.front()).absolutePath());
-  }
-}
-
-}  // namespace
-
 void MainWindow::openFiles() {
-  QFileDialog* dialog = makeDialog(this, "openDialog", tr("Open a CT with its segmentation, or a case"));
+  QFileDialog* dialog = makeFileDialog(this, "openDialog", tr("Open a CT with its segmentation, or a case"));
   dialog->setFileMode(QFileDialog::ExistingFiles);
   dialog->setNameFilters({tr("Images and cases (*.glisson *.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm)"), tr("All files (*)")});
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
@@ -50,7 +31,7 @@ void MainWindow::openFiles() {
 }
 
 void MainWindow::openFolder() {
-  QFileDialog* dialog = makeDialog(this, "openFolderDialog", tr("Open a folder that holds a CT and its segmentation"));
+  QFileDialog* dialog = makeFileDialog(this, "openFolderDialog", tr("Open a folder that holds a CT and its segmentation"));
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
     rememberFolder(paths);
@@ -71,7 +52,7 @@ void MainWindow::saveAs() {
   if (!document_->isOpen()) {
     return;
   }
-  QFileDialog* dialog = makeDialog(this, "saveDialog", tr("Save the case"));
+  QFileDialog* dialog = makeFileDialog(this, "saveDialog", tr("Save the case"));
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setNameFilter(tr("Glisson cases (*.glisson)"));
   dialog->setDefaultSuffix("glisson");
@@ -91,7 +72,7 @@ void MainWindow::saveCopyWithCt() {
   constexpr double kBytesPerMb = 1e6;
   const double megabytes = static_cast<double>(embeddedCtBytes(*ct)) / kBytesPerMb;
   const auto choose = [this] {
-    QFileDialog* dialog = makeDialog(this, "saveCopyDialog", tr("Save a copy with the CT"));
+    QFileDialog* dialog = makeFileDialog(this, "saveCopyDialog", tr("Save a copy with the CT"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(tr("Glisson cases (*.glisson)"));
     dialog->setDefaultSuffix("glisson");

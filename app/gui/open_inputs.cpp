@@ -97,7 +97,7 @@ std::shared_ptr<const CtVolume> embeddedCtOf(OpenedCase& opened, const Execution
   try {
     return opened.file->embeddedCt(context);
   } catch (const InputError& damage) {
-    opened.content.notes.emplace_back(damage.what());
+    opened.content.ctNotes.emplace_back(damage.what());
     return nullptr;
   }
 }
@@ -113,7 +113,7 @@ std::shared_ptr<const CtVolume> namedCtOrEmbedded(OpenedCase& opened, const Exec
   }
   std::shared_ptr<const CtVolume> ct = embeddedCtOf(opened, context);
   if (ct) {
-    opened.content.notes.push_back("The CT at " + opened.content.ctSource +
+    opened.content.ctNotes.push_back("The CT at " + opened.content.ctSource +
                                    " cannot be read: the CT embedded in the case is shown.");
   }
   return ct;
@@ -133,7 +133,7 @@ OpenedCase openCaseFile(const fs::path& path, const ExecutionContext& context) {
     return opened;
   }
   opened.content.ct = embeddedCtOf(opened, context);
-  std::vector<std::string>& notes = opened.content.notes;
+  std::vector<std::string>& notes = opened.content.ctNotes;
   if (there && opened.content.ct) {
     notes.push_back("The CT at " + ct +
                     " is not the one this case was made from (its files have changed): the CT embedded in the case is shown.");
@@ -193,8 +193,9 @@ OpenedCase openInputs(const OpenRequest& request, const ExecutionContext& contex
     return openCaseFile(*inputs.caseFile, context);
   }
   if (!inputs.segmentation) {
-    throw InputError((inputs.ct ? inputs.ct->string() : std::string("The selection")) +
-                     " holds a CT without a segmentation; open the CT and its segmentation together.");
+    OpenedCase opened;
+    opened.loneCt = inputs.ct.value();  // one of the three is there
+    return opened;
   }
   std::shared_ptr<const CtVolume> ct;
   if (inputs.ct) {

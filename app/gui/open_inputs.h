@@ -33,6 +33,7 @@ struct OpenedCase {
   Case content;
   std::shared_ptr<CaseFile> file;     ///< where the case came from a .glisson file
   std::string noCt{};                 ///< why the CT that the case names is not to be shown; empty where it may be
+  std::filesystem::path loneCt{};     ///< a CT whose segmentation the user must choose; content is empty then
   std::vector<LabelledMask> unknown;  ///< labels whose kind the user must choose; content is empty then
   [[nodiscard]] bool needsKinds() const { return !unknown.empty(); }
 };

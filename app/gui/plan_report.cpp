@@ -16,6 +16,7 @@
 #include "app/gui/plan_panel.h"
 #include "app/gui/sentences.h"
 #include "app/gui/territory_box.h"
+#include "planning/exchange/pseudonym.h"
 #include "planning/exchange/version.h"
 #include "planning/storage/surface_hash.h"
 #include "planning/volumetry/tumour_measures.h"
@@ -308,6 +309,25 @@ QString structuresOf(const PlanReport& report) {
          QStringLiteral("<div style=\"font-family:'DejaVu Sans Mono'; font-size:6pt\">") + table(hashes) + QStringLiteral("</div>");
 }
 
+/// What the readers had to say, with every consent that was given, and what each surface is said to lack.
+QString notesOf(const PlanReport& report) {
+  const Case& content = report.content;
+  QString html;
+  for (const std::string& note : content.notes) {
+    html += paragraph(shownSentence(note));
+  }
+  for (const Structure& structure : content.model->structures) {
+    if (structure.reconstruction) {
+      for (const auto* notes : {&structure.reconstruction->notes, &structure.reconstruction->deviations}) {
+        for (const std::string& note : *notes) {
+          html += paragraph(structureName(structure) + QStringLiteral(": ") + shownSentence(note));
+        }
+      }
+    }
+  }
+  return html.isEmpty() ? html : heading(ReportText::tr("Notes on the input and the surfaces")) + html;
+}
+
 /// What nobody has looked at, on the first page.
 QString notAcceptedOf(const PlanReport& report) {
   QStringList names;
@@ -318,6 +338,34 @@ QString notAcceptedOf(const PlanReport& report) {
   }
   return names.isEmpty() ? QString()
                          : paragraph(ReportText::tr("Not accepted by anybody: %1.").arg(names.join(QStringLiteral(", "))));
+}
+
+/// Free text that names the patient is taken out (hazard H8).
+PlanReport withoutIdentity(const PlanReport& report) {
+  PlanReport nameless = report;
+  const auto clean = [&](std::string& text, const std::string& fallback) { text = pseudonymous(text, fallback, report.content); };
+  nameless.content.identity.seriesDescription.clear();
+  for (std::string& note : nameless.content.notes) {
+    clean(note, "A note that names the patient is left out.");
+  }
+  clean(nameless.plan.name, "Plan");
+  for (std::size_t n = 0; n < nameless.plan.resections.size(); ++n) {
+    clean(nameless.plan.resections[n].name, "Resection " + std::to_string(n + 1));
+  }
+  for (std::size_t n = 0; n < nameless.assessment.resections.size(); ++n) {
+    clean(nameless.assessment.resections[n].name, "Resection " + std::to_string(n + 1));
+  }
+  for (std::size_t n = 0; n < nameless.plan.measures.size(); ++n) {
+    clean(nameless.plan.measures[n].name, "Distance " + std::to_string(n + 1));
+  }
+  auto model = std::make_shared<LiverModel>(*nameless.content.model);
+  for (Structure& structure : model->structures) {
+    if (structure.acceptance) {
+      clean(structure.acceptance->by, "a person");
+    }
+  }
+  nameless.content.model = std::move(model);
+  return nameless;
 }
 
 QString bodyOf(const PlanReport& report) {
@@ -334,7 +382,7 @@ QString bodyOf(const PlanReport& report) {
       ReportText::tr("Pre-operative, supine, rigid: pneumoperitoneum and mobilisation move the liver by centimetres; registration "
                      "error not included. Not for clinical use."));
   html += QStringLiteral("<div style=\"page-break-before:always\"></div>") + islandsOf(report) + vesselsOf(report) +
-          cardOf(report) + territoriesOf(report) + planesOf(report) + structuresOf(report);
+          cardOf(report) + territoriesOf(report) + planesOf(report) + structuresOf(report) + notesOf(report);
   return html;
 }
 
@@ -404,7 +452,7 @@ void writePdf(const PlanReport& report, const QString& path) {
     for (std::size_t n = 0; n < report.views.size(); ++n) {
       document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("view%1").arg(n)), report.views[n]);
     }
-    document.setHtml(bodyOf(report));
+    document.setHtml(bodyOf(report.withIdentity ? report : withoutIdentity(report)));
     const QString footer = QStringList{QString::fromStdString(report.content.code),
                                        ReportText::tr("CT of %1").arg(dateText(report.content.identity.studyDate)),
                                        QStringLiteral("Glisson ") + QString::fromStdString(std::string(glissonVersion())),

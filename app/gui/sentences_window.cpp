@@ -23,14 +23,13 @@ constexpr auto kRows = std::to_array<SentenceRow>({
          "Sentence",
          "%1 holds neither a CT, nor a segmentation, nor a case; choose a DICOM folder, NIfTI, NRRD, MetaImage or .glisson file.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 holds a CT without a segmentation; open the CT and its segmentation together.")},
-    {"",
-     QT_TRANSLATE_NOOP("Sentence", "The selection holds a CT without a segmentation; open the CT and its segmentation together.")},
     {"", QT_TRANSLATE_NOOP(
              "Sentence",
              "The CT at %1 is not the one this case was made from (its files have changed): the CT embedded in the case is "
              "shown.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The CT of this case is not at %1: the CT embedded in the case is shown.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The CT at %1 cannot be read: the CT embedded in the case is shown.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "A note that names the patient is left out.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 is the file this case is kept in; save the copy under another name.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The CT of this case is no longer at %1; put it back to see the slices.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The CT at %1 does not lie on the grid of the labels and is not shown.")},

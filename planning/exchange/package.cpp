@@ -6,6 +6,7 @@
 #include "planning/exchange/atomic_file.h"
 #include "planning/exchange/manifest.h"
 #include "planning/exchange/mesh_formats.h"
+#include "planning/exchange/pseudonym.h"
 #include "planning/exchange/staging.h"
 #include "planning/storage/sha256.h"
 #include "reconstruction/errors.h"

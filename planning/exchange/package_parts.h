@@ -26,7 +26,4 @@ struct PackageMesh {
 std::vector<PackageMesh> packageMeshes(const Case& source, const ResectionPlan& plan, const std::vector<IslandAssessment>& islands,
                                        const ExportOptions& options, const ExecutionContext& context);
 
-/// `text`, or `fallback` where it holds a part of the patient's name, the id or the birth date (hazard H8).
-std::string pseudonymous(const std::string& text, const std::string& fallback, const Case& source);
-
 }  // namespace glisson

@@ -6,6 +6,7 @@
 
 #include "planning/case/parameters_json.h"
 #include "planning/exchange/manifest.h"
+#include "planning/exchange/pseudonym.h"
 #include "planning/exchange/version.h"
 
 namespace glisson {
@@ -117,6 +118,17 @@ Json filesOf(const std::vector<FileEntry>& files) {
   return json;
 }
 
+/// What was doubtful in the input and read all the same, without the names of files behind the colon.
+Json consentsOf(const Case& source) {
+  Json json = Json::array();
+  for (const std::string& note : source.notes) {
+    if (note.find("with consent") != std::string::npos) {
+      json.push_back(pseudonymous(note.substr(0, note.find(':')), "with consent", source));
+    }
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string planText(const Case& source, const ResectionPlan& plan, const ExportOptions& options, const PlanAssessment& assessment,
@@ -154,6 +166,7 @@ std::string planText(const Case& source, const ResectionPlan& plan, const Export
   for (const Structure& structure : source.model->structures) {
     json["structures"].push_back(structureOf(source, structure));
   }
+  json["consents"] = consentsOf(source);
   json["notAccepted"] = notAccepted(*source.model);
   json["files"] = filesOf(files);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

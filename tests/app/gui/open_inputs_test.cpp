@@ -67,7 +67,7 @@ TEST_F(OpenInputsTest, AnEmbeddedCtIsShownWhereTheOneTheCaseNamesIsMissingOrAnot
   ASSERT_TRUE(missing.content.ct);
   EXPECT_EQ(missing.content.ct->hounsfield, made.content.ct->hounsfield);
   EXPECT_EQ(missing.content.ct->identity.patientId, made.content.identity.patientId);
-  EXPECT_NE(missing.content.notes.back().find("the CT embedded in the case is shown"), std::string::npos);
+  EXPECT_NE(missing.content.ctNotes.back().find("the CT embedded in the case is shown"), std::string::npos);
   std::filesystem::copy_file(folder_ / "labels.nii.gz", ct);
   const OpenedCase other = open({file});
   ASSERT_TRUE(other.content.ct) << "H2";
@@ -85,7 +85,7 @@ TEST_F(OpenInputsTest, AnEmbeddedCtIsShownWhereTheOneTheCaseNamesCannotBeRead) {
   const OpenedCase opened = open({file});
   ASSERT_TRUE(opened.content.ct);
   EXPECT_EQ(opened.content.ct->hounsfield, made.content.ct->hounsfield);
-  EXPECT_EQ(opened.content.notes.back(), "The CT at " + ct.string() + " cannot be read: the CT embedded in the case is shown.");
+  EXPECT_EQ(opened.content.ctNotes.back(), "The CT at " + ct.string() + " cannot be read: the CT embedded in the case is shown.");
 }
 
 TEST_F(OpenInputsTest, ADamagedEmbeddedCtIsANoteAndTheCaseOpens) {
@@ -99,7 +99,7 @@ TEST_F(OpenInputsTest, ADamagedEmbeddedCtIsANoteAndTheCaseOpens) {
   const OpenedCase opened = open({file});
   EXPECT_EQ(opened.content.ct, nullptr);
   EXPECT_EQ(opened.content.code, made.content.code);
-  EXPECT_NE(opened.content.notes.back().find("holds an embedded CT that is damaged"), std::string::npos);
+  EXPECT_NE(opened.content.ctNotes.back().find("holds an embedded CT that is damaged"), std::string::npos);
 }
 
 TEST_F(OpenInputsTest, TheBuiltInPatientsCtIsMadeAgainFromItsCaseAndNothingElse) {
@@ -139,6 +139,17 @@ TEST_F(OpenInputsTest, AFolderOfMasksBesideTheCtOpensAsOnePatient) {
   const OpenedCase opened = open({patient});
   EXPECT_TRUE(opened.content.ct);
   EXPECT_EQ(opened.content.model->structures.size(), 7U);
+}
+
+TEST_F(OpenInputsTest, ACtAloneIsNoCaseAndNamedUntilItsSegmentationIsThere) {
+  const auto ct = folder_ / "dicom";
+  const OpenedCase alone = open({ct});
+  EXPECT_EQ(alone.loneCt, ct);
+  EXPECT_FALSE(alone.content.model);
+  const OpenedCase both = open({ct, folder_ / "segmentation.seg.nrrd"});
+  EXPECT_TRUE(both.loneCt.empty());
+  EXPECT_TRUE(both.content.ct);
+  EXPECT_TRUE(both.content.model);
 }
 
 /// A NIfTI header of side^3 bytes; its qform lies 5 mm beside its sform where `twoPlaces`.

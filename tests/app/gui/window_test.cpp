@@ -25,6 +25,8 @@
 #include <QSpinBox>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <array>
+#include <fstream>
 
 #include "app/gui/compare_window.h"
 #include "app/gui/export_panel.h"
@@ -480,6 +482,58 @@ TEST_F(WindowTest, ACopyWithTheCtSaysItsSizeBeforeItAsksForTheFile) {
   document().saveCopyWithCt(folder.filePath("copy.glisson").toStdString());
   ASSERT_TRUE(waitFor([&] { return saved.count() == 1; }));
   EXPECT_TRUE(CaseFile::open(folder.filePath("copy.glisson").toStdString()).hasEmbeddedCt());
+}
+
+/// A cube in a box of 32^3 voxels, as CT (type short) or as a segmentation with the one segment "liver".
+void writeCube(const QString& path, const std::string& type, const std::string& more, int inside, int outside) {
+  std::ofstream file(path.toStdString(), std::ios::binary);
+  file << "NRRD0004\ntype: " << type << "\ndimension: 3\nspace: left-posterior-superior\nsizes: 32 32 32\n"
+       << "space directions: (2,0,0) (0,2,0) (0,0,2)\nkinds: domain domain domain\nendian: little\nencoding: raw\n"
+       << "space origin: (0,0,0)\n"
+       << more << "\n";
+  for (int voxel = 0; voxel < 32 * 32 * 32; ++voxel) {
+    const std::array at{voxel % 32, voxel / 32 % 32, voxel / 1024};
+    const bool in = std::ranges::all_of(at, [](int i) { return i >= 8 && i < 24; });
+    const auto value = static_cast<std::int16_t>(in ? inside : outside);
+    file.write(reinterpret_cast<const char*>(&value), type == "short" ? 2 : 1);
+  }
+}
+
+TEST_F(WindowTest, ACtThatIsOpenedAloneAsksForItsSegmentation) {
+  const QString ct = folder.filePath("ct.nrrd");
+  const QString labels = folder.filePath("labels.seg.nrrd");
+  writeCube(ct, "short", "", 100, -50);
+  writeCube(labels, "unsigned char", "Segment0_ID:=a\nSegment0_Name:=liver\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n", 1, 0);
+  window->opener().openPaths({ct});
+  ASSERT_TRUE(waitFor([&] { return window->findChild<QMessageBox*>("segmentationDialog") != nullptr; }));
+  EXPECT_EQ(find<QMessageBox>("segmentationDialog")->informativeText(), ct);
+  click("segmentationFile");
+  auto* dialog = find<QFileDialog>("segmentationChoice");
+  emit dialog->fileSelected(labels);
+  dialog->reject();
+  ASSERT_TRUE(waitFor([&] { return document().isOpen(); }));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(document().content().ct);
+  EXPECT_EQ(document().content().model->structures.size(), 1U);
+}
+
+TEST_F(WindowTest, AReportSaysEveryConsentAndHandsNoNameOn_H8) {
+  Case doubtful = smallCase();
+  doubtful.notes = {"Labels of another patient than the CT's were taken with consent (their PatientID differ).",
+                    "Left out: series 4, head of Small."};
+  doubtful.plans.front().name = "Small, plan A";
+  emit window->opener().opened(doubtful, nullptr, {});
+  ASSERT_TRUE(settle());
+  for (const bool named : {false, true}) {
+    const QString report = folder.filePath("report.pdf");
+    window->writeReport(report, named);
+    QProcess reader;
+    reader.start("pdftotext", {"-layout", report, "-"});
+    ASSERT_TRUE(reader.waitForFinished());
+    const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    EXPECT_TRUE(text.contains("Labels of another patient than the CT's were taken with consent")) << text.toStdString();
+    EXPECT_EQ(text.contains("Small"), named) << text.toStdString();
+  }
 }
 
 TEST_F(WindowTest, AReportThatNamesThePatientIsOfferedOnlyWhereTheCaseKnowsOne_H8) {
