@@ -1,8 +1,7 @@
 #include "app/cli/command.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <iostream>
 #include <system_error>
 
@@ -78,8 +77,17 @@ void checkWritable(const std::filesystem::path& path) {
   }
 }
 
+namespace {
+std::atomic<bool> progressShown{false};
+}  // namespace
+
+void showProgress(int percent, std::string_view phase) {
+  progressShown = true;
+  std::cerr << "\r\033[K" << percent << " % " << phase << std::flush;
+}
+
 void clearProgress() {
-  if (isatty(STDERR_FILENO) != 0) {
+  if (progressShown.exchange(false)) {
     std::cerr << "\r\033[K" << std::flush;
   }
 }

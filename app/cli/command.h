@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "reconstruction/execution_context.h"
 #include "reconstruction/io/read.h"
@@ -52,7 +53,8 @@ CLI::Option* addInteger(CLI::App& command, const std::string& name, int& value, 
 /// Throws InputError where the folder that is to hold `path` is missing, UsageError where `path` is a folder: said before the work
 /// is done, not after.
 void checkWritable(const std::filesystem::path& path);
-/// Takes the line of progress off a terminal.
+/// A line on stderr that the next one or clearProgress() takes away.
+void showProgress(int percent, std::string_view phase);
 void clearProgress();
 /// One line on stderr: "glisson-cli: ...", in the place of the progress.
 void complain(const std::string& sentence);

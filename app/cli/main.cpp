@@ -8,6 +8,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <streambuf>
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
@@ -26,10 +27,32 @@ ExecutionContext progressOnTerminal() {
     const int now = static_cast<int>(100.0 * fraction);
     if (now != percent) {
       percent = now;
-      std::cerr << "\r\033[K" << now << " % " << phase << std::flush;
+      showProgress(now, phase);
     }
   });
 }
+
+/// While it lives, std::cout takes the line of progress away before anything stands beside it.
+class BesideProgress : public std::streambuf {
+ public:
+  BesideProgress() : to_(std::cout.rdbuf(this)) {}
+  ~BesideProgress() override { std::cout.rdbuf(to_); }
+  BesideProgress(const BesideProgress&) = delete;
+  BesideProgress& operator=(const BesideProgress&) = delete;
+
+ private:
+  int_type overflow(int_type c) override {
+    clearProgress();
+    return traits_type::eq_int_type(c, traits_type::eof()) ? traits_type::not_eof(c) : to_->sputc(traits_type::to_char_type(c));
+  }
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    clearProgress();
+    return to_->sputn(text, size);
+  }
+  int sync() override { return to_->pubsync(); }
+
+  std::streambuf* to_;
+};
 
 int failed(int code, const std::string& sentence) {
   complain(sentence);
@@ -39,6 +62,7 @@ int failed(int code, const std::string& sentence) {
 int run(const Action& action) {
   const ExecutionContext context = progressOnTerminal();
   const InterruptCancels interrupt(context);
+  const BesideProgress output;
   try {
     const int code = action(context);
     std::cout.flush();

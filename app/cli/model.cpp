@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -19,6 +20,7 @@ struct Flags {
   std::string ct;
   bool embedCt = false;
   std::string output;
+  bool replace = false;
   int threads = 0;
   InputFlags input;
 };
@@ -67,6 +69,23 @@ void printNotes(const Case& made) {
   }
 }
 
+/// A case somebody has planned in is not replaced by one without plans unasked.
+void checkHoldsNoPlan(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    return;
+  }
+  std::vector<ResectionPlan> plans;
+  try {
+    plans = CaseFile::open(path).load().plans;
+  } catch (const Error&) {  // no case that can be opened
+    return;
+  }
+  if (std::ranges::any_of(plans, [](const ResectionPlan& plan) { return !plan.resections.empty(); })) {
+    throw InputError(path.string() + " holds plans, which would be lost; name another file, or replace it with --replace");
+  }
+}
+
 int makeModel(const Flags& flags, const ExecutionContext& context) {
   const ReadOptions options = readOptions(flags.input);
   if (std::filesystem::path(flags.output).extension() != ".glisson") {
@@ -79,6 +98,9 @@ int makeModel(const Flags& flags, const ExecutionContext& context) {
     throw UsageError("--threads takes 1 or more, or 0 for all cores");
   }
   checkWritable(flags.output);
+  if (!flags.replace) {
+    checkHoldsNoPlan(flags.output);
+  }
   const ThreadLimit limit(flags.threads);
   Segmentation segmentation = readSegmentation(flags.segmentation, options, context.range(0, 0.1));
   std::shared_ptr<const CtVolume> ct;
@@ -117,6 +139,7 @@ void addModel(CLI::App& app, Action& chosen) {
   command->add_option("--ct", flags->ct, "The CT the segmentation belongs to");
   command->add_flag("--embed-ct", flags->embedCt, "Put the CT into the case, to send it to somebody who has not got the images");
   command->add_option("-o,--output", flags->output, "CASE.glisson")->required();
+  command->add_flag("--replace", flags->replace, "Replace CASE.glisson also where it holds plans");
   addInteger(*command, "--threads", flags->threads, "Threads; 0 is all cores");
   addInputFlags(*command, flags->input);
   command->callback([flags, &chosen] { chosen = [flags](const ExecutionContext& context) { return makeModel(*flags, context); }; });

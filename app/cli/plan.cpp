@@ -283,10 +283,9 @@ Json measuresJson(const std::vector<Measure>& measures) {
   return json;
 }
 
-void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, const std::optional<Comparison>& comparison,
-          const TerritoryCommand* territories, const ExecutionContext& context) {
+void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, const std::vector<TumourMeasures>& tumours,
+          const std::optional<Comparison>& comparison, const TerritoryCommand* territories) {
   const FlrCard card = flrCard(work.source.patient, assessment);
-  const std::vector<TumourMeasures> tumours = tumourMeasures(work.source, context);
   if (!flags.json) {
     std::cout << work.plan().name << ", safety margin " << formatExact(work.plan().safetyMarginMm) << " mm\n";
     if (work.proposal) {
@@ -384,10 +383,11 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   if (flags.territories.wanted) {
     territories.emplace(work.source, flags.territories, context);
   }
+  const std::vector<TumourMeasures> tumours = tumourMeasures(work.source, context);  // before what can no longer be interrupted
   if (!flags.dryRun) {
     store(file, flags, work, before, modelBefore, territories ? &*territories : nullptr);
   }
-  show(flags, work, assessment, comparison, territories ? &*territories : nullptr, context);
+  show(flags, work, assessment, tumours, comparison, territories ? &*territories : nullptr);
   return kDone;
 }
 

@@ -45,6 +45,15 @@ std::string printable(std::string_view text) {
   return result;
 }
 
+/// The same inside an XML comment, which must not hold two hyphens.
+std::string printableInXml(std::string_view text) {
+  std::string result = printable(text);
+  for (std::size_t at = 0; (at = result.find("--", at)) != std::string::npos;) {
+    result[at + 1] = '_';
+  }
+  return result;
+}
+
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -136,7 +145,7 @@ std::string vtpBytes(const NamedMesh& mesh, const FloatMesh& floats) {
   }
   const std::string array = "      <DataArray type=\"";
   std::string text =
-      "<?xml version=\"1.0\"?>\n<!-- Glisson " + std::string(glissonVersion()) + " SPACE=LPS UNIT=mm " + printable(mesh.id) +
+      "<?xml version=\"1.0\"?>\n<!-- Glisson " + std::string(glissonVersion()) + " SPACE=LPS UNIT=mm " + printableInXml(mesh.id) +
       " -->\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <PolyData>\n"
       "    <FieldData>\n      <Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" format=\"ascii\">76 80 83 0</Array>\n"
       "    </FieldData>\n    <Piece NumberOfPoints=\"" +

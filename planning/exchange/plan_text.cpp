@@ -123,7 +123,7 @@ Json consentsOf(const Case& source) {
   Json json = Json::array();
   for (const std::string& note : source.notes) {
     if (note.find("with consent") != std::string::npos) {
-      json.push_back(pseudonymous(note.substr(0, note.find(':')), "with consent", source));
+      json.push_back(pseudonymous(note.substr(0, note.find(':')), "consent", source));
     }
   }
   return json;

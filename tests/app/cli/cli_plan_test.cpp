@@ -73,6 +73,17 @@ TEST_F(CliPlanning, FactsThatAreNoneAreRefusedAndStoreNothing) {
   EXPECT_EQ(bytesOf(file_), before);
 }
 
+TEST_F(CliPlanning, H6AModelReplacesACaseWithPlansOnlyWhereThatIsSaid) {
+  ASSERT_FALSE(plan({"--plane", at(0, 0, 0) + ",1,0,0"}).empty());
+  const std::string before = bytesOf(file_);
+  expectRefusal(cli({"model", sampleSegmentation(), "-o", file_}), 3, "--replace");
+  EXPECT_EQ(bytesOf(file_), before);
+  const Finished replaced = cli({"model", sampleSegmentation(), "-o", file_, "--replace"});
+  EXPECT_EQ(replaced.exitCode, 0) << replaced.err;
+  const Finished again = cli({"model", sampleSegmentation(), "-o", file_});
+  EXPECT_EQ(again.exitCode, 0) << "nothing planned: " << again.err;
+}
+
 TEST_F(CliPlanning, TheSamePlanePlacedInFourWaysGivesTheSameVolumes) {
   const double typed = plan({"--dry-run", "--plane", at(0, 0, 0) + ",1,0,0"})["resectedMl"];
   EXPECT_NEAR(plan({"--dry-run", "--slice", "sagittal," + at(0, 0, 0)})["resectedMl"], typed, 1e-6);
