@@ -36,7 +36,7 @@ void put(SortedInputs& sorted, InputKind kind, const fs::path& path) {
 
 /// What the folder's entries are, where exactly one of them is a CT and one a segmentation (a patient's folder as 3D-IRCADb ships
 /// it) or one is a case; else nothing.
-std::optional<SortedInputs> patientFolder(const fs::path& folder) {
+std::optional<SortedInputs> patientFolder(const fs::path& folder, const ExecutionContext& context) {
   constexpr std::size_t kMostEntries = 64;  // a folder of slices is no patient's folder
   std::vector<fs::path> children;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -48,7 +48,7 @@ std::optional<SortedInputs> patientFolder(const fs::path& folder) {
   std::ranges::sort(children);
   SortedInputs inside;
   for (const fs::path& child : children) {
-    const InputKind kind = guessInput(child);
+    const InputKind kind = guessInput(child, context);
     std::optional<fs::path>& slot = kind == InputKind::Ct     ? inside.ct
                                     : kind == InputKind::Case ? inside.caseFile
                                                               : inside.segmentation;
@@ -151,13 +151,13 @@ OpenedCase openCaseFile(const fs::path& path, const ExecutionContext& context) {
 
 }  // namespace
 
-SortedInputs sortInputs(const std::vector<fs::path>& paths) {
+SortedInputs sortInputs(const std::vector<fs::path>& paths, const ExecutionContext& context) {
   SortedInputs sorted;
   for (const fs::path& path : paths) {
     if (!fs::exists(path)) {
       throw InputError(path.string() + " does not exist; check the path.");
     }
-    if (const std::optional<SortedInputs> inside = fs::is_directory(path) ? patientFolder(path) : std::nullopt) {
+    if (const std::optional<SortedInputs> inside = fs::is_directory(path) ? patientFolder(path, context) : std::nullopt) {
       for (const auto& [found, kind] :
            {std::pair(inside->ct, InputKind::Ct), std::pair(inside->segmentation, InputKind::Segmentation),
             std::pair(inside->caseFile, InputKind::Case)}) {
@@ -167,10 +167,10 @@ SortedInputs sortInputs(const std::vector<fs::path>& paths) {
       }
       continue;
     }
-    const InputKind kind = guessInput(path);
+    const InputKind kind = guessInput(path, context);
     if (kind == InputKind::Unknown) {
       if (fs::is_regular_file(path)) {
-        readSegmentation(path);  // refuses it: the reader says best why it cannot be read
+        readSegmentation(path, {}, context);  // refuses it: the reader says best why it cannot be read
       }
       throw InputError(path.string() + " holds neither a CT, nor a segmentation, nor a case; choose a DICOM folder, NIfTI, NRRD, " +
                        "MetaImage or .glisson file.");
@@ -188,7 +188,7 @@ OpenedCase openInputs(const OpenRequest& request, const ExecutionContext& contex
                              std::make_shared<const Segmentation>(std::move(patient.segmentation)));
     return opened;
   }
-  const SortedInputs inputs = sortInputs(request.paths);
+  const SortedInputs inputs = sortInputs(request.paths, context);
   if (inputs.caseFile) {
     return openCaseFile(*inputs.caseFile, context);
   }

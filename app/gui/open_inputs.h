@@ -45,8 +45,8 @@ struct SortedInputs {
   std::optional<std::filesystem::path> ct;
   std::optional<std::filesystem::path> segmentation;
 };
-/// Throws InputError where a path is nothing known, or two paths are the same sort of thing.
-SortedInputs sortInputs(const std::vector<std::filesystem::path>& paths);
+/// Throws InputError where a path is nothing known, or two paths are the same sort of thing, Cancelled.
+SortedInputs sortInputs(const std::vector<std::filesystem::path>& paths, const ExecutionContext& context = {});
 
 /// The content of a case has its CT only where one is embedded: the one it names, or the embedded one where that is missing,
 /// another one or not to be read. Throws InputError (a sentence that names the consent's flag where one is missing), Cancelled.

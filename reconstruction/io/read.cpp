@@ -40,7 +40,7 @@ Segmentation readSegmentation(const fs::path& path, const ReadOptions& options, 
   return importAs<Segmentation>(ImportTask::Segmentation, path, options, context);
 }
 
-InputKind guessInput(const fs::path& path) {
+InputKind guessInput(const fs::path& path, const ExecutionContext& context) {
   std::error_code error;
   if (!fs::exists(path, error)) {
     return InputKind::Unknown;
@@ -49,7 +49,7 @@ InputKind guessInput(const fs::path& path) {
     return InputKind::Case;
   }
   try {
-    return importAs<InputKind>(ImportTask::Guess, path, {}, {});
+    return importAs<InputKind>(ImportTask::Guess, path, {}, context);
   } catch (const Error&) {
     return InputKind::Unknown;
   }

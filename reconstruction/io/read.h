@@ -59,6 +59,7 @@ Segmentation matchToCt(Segmentation segmentation, const CtVolume& ct, const Read
 
 /// What a path seems to hold, found without decoding pixels: for the window's open dialog, drag and drop, and `info`.
 enum class InputKind : std::uint8_t { Ct, Segmentation, Case, Unknown };
-InputKind guessInput(const std::filesystem::path& path);
+/// Throws Cancelled.
+InputKind guessInput(const std::filesystem::path& path, const ExecutionContext& context = {});
 
 }  // namespace glisson

@@ -37,7 +37,7 @@ std::vector<DicomSlice> findSlices(const fs::path& path, std::vector<std::string
       }
     }
     std::vector<fs::path> files;
-    collectFiles(folder, 6, files);
+    collectFiles(folder, kFolderDepth, files);
     slices = readDicomSlices(files, notes, context);
   }
   return slices;

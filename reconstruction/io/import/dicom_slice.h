@@ -63,6 +63,8 @@ std::vector<DicomSlice> readDicomSlices(const std::vector<std::filesystem::path>
 bool hasDicomMagic(const std::filesystem::path& path);
 /// The regular files of a folder, sorted by name; hidden ones left out.
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
+/// How far down a folder is searched.
+inline constexpr int kFolderDepth = 6;
 std::vector<std::filesystem::path> foldersIn(const std::filesystem::path& folder);
 
 }  // namespace glisson::import

@@ -125,7 +125,7 @@ InputKind guessFromValues(const ImageFile& file) {
   });
 }
 
-InputKind guessFolder(const fs::path& folder) {
+InputKind guessFolder(const fs::path& folder, int depth) {
   const auto isOrgan = [](const fs::path& file) { return recogniseKind(stemOf(file)).has_value(); };
   if (std::ranges::any_of(imageFilesIn(folder), isOrgan)) {
     return InputKind::Segmentation;
@@ -137,18 +137,15 @@ InputKind guessFolder(const fs::path& folder) {
   if (std::ranges::any_of(inner, [&](const fs::path& sub) { return isOrgan(sub) && holdsDicom(sub); })) {
     return InputKind::Segmentation;
   }
-  for (const fs::path& sub : inner) {
-    if (guessFolder(sub) == InputKind::Ct) {
-      return InputKind::Ct;
-    }
-  }
-  return InputKind::Unknown;
+  const bool holdsCt =
+      depth > 0 && std::ranges::any_of(inner, [&](const fs::path& sub) { return guessFolder(sub, depth - 1) == InputKind::Ct; });
+  return holdsCt ? InputKind::Ct : InputKind::Unknown;
 }
 }  // namespace
 
 InputKind guessKind(const fs::path& path, const ReadOptions& options) {
   if (fs::is_directory(path)) {
-    return guessFolder(path);
+    return guessFolder(path, kFolderDepth);
   }
   if (isImageFileName(path)) {
     if (toLower(path.filename().string()).ends_with(".seg.nrrd") || recogniseKind(stemOf(path))) {
