@@ -2134,10 +2134,6 @@
         <translation>Die Normale (0, 0, 0) hat keine Richtung; geben Sie mindestens eine Komponente ein.</translation>
     </message>
     <message>
-        <source>%1 is open in another program: it can be looked at, and changes are kept only with Save as.</source>
-        <translation>%1 ist in einem anderen Programm geöffnet: Ansehen geht, Änderungen bleiben nur mit Speichern unter erhalten.</translation>
-    </message>
-    <message>
         <source>The plane can be placed as soon as the liver&apos;s volumes are computed.</source>
         <translation>Die Ebene lässt sich setzen, sobald die Volumina der Leber berechnet sind.</translation>
     </message>
@@ -2821,6 +2817,14 @@
         <source>A note that names the patient is left out.</source>
         <translation>Eine Anmerkung, die den Patienten nennt, ist weggelassen.</translation>
     </message>
+    <message>
+        <source>%1 is open in another program or write-protected: changes are kept in a copy of it; save that under another name.</source>
+        <translation>%1 ist in einem anderen Programm geöffnet oder schreibgeschützt: Änderungen werden in einer Kopie aufbewahrt; speichern Sie diese unter einem anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The change is in no file: save the case under another name.</source>
+        <translation>Die Änderung steht in keiner Datei: speichern Sie den Fall unter einem anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -3272,6 +3276,10 @@
     <message>
         <source>Nobody has accepted these structures; the package says so: %1</source>
         <translation>Niemand hat diese Strukturen freigegeben; das Paket sagt es: %1</translation>
+    </message>
+    <message>
+        <source>Plan: %1</source>
+        <translation>Plan: %1</translation>
     </message>
 </context>
 <context>
@@ -4115,6 +4123,22 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>%1 is open already.</source>
         <translation>%1 ist bereits geöffnet.</translation>
+    </message>
+    <message>
+        <source>Changes are not on disk</source>
+        <translation>Änderungen sind nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>The last changes could not be written and go with the window.</source>
+        <translation>Die letzten Änderungen konnten nicht geschrieben werden und gehen mit dem Fenster verloren.</translation>
+    </message>
+    <message>
+        <source>Save under another name...</source>
+        <translation>Unter anderem Namen speichern...</translation>
+    </message>
+    <message>
+        <source>Close and lose them</source>
+        <translation>Schließen und verwerfen</translation>
     </message>
 </context>
 <context>

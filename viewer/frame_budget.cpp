@@ -11,8 +11,8 @@ FramePlan FrameBudget::plan(FrameQuality quality, TriangleCounts triangles, bool
     frame.scale = moving_.ms > 0.5 * kFrameBudgetMs ? 0.5 : 1.0;
     return frame;
   }
-  if (quality == FrameQuality::Picture) {
-    frame.detail = Detail::Full;
+  if (quality == FrameQuality::Picture || quality == FrameQuality::Report) {
+    frame.detail = quality == FrameQuality::Picture ? Detail::Full : Detail::Reduced;
     frame.peels = anyTranslucent;
     frame.smoothEdges = true;
     return frame;
@@ -30,10 +30,10 @@ FramePlan FrameBudget::plan(FrameQuality quality, TriangleCounts triangles, bool
 }
 
 bool FrameBudget::remember(const FramePlan& frame, double ms) {
-  if (frame.quality == FrameQuality::Picture || frame.scale < 1.0) {
+  const bool resting = frame.quality == FrameQuality::Resting;
+  if ((!resting && frame.quality != FrameQuality::Moving) || frame.scale < 1.0) {
     return false;
   }
-  const bool resting = frame.quality == FrameQuality::Resting;
   if (resting && frame.uploads) {
     return true;
   }

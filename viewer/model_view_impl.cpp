@@ -142,7 +142,7 @@ FramePlan ModelView::Impl::planFrame(FrameQuality quality) {
   for (const auto& [id, actors] : structures) {
     Detail detail = frame.detail;
     const std::size_t needed = actors->triangles(detail);
-    if (quality == FrameQuality::Resting && needed > 0 && !actors->uploaded(detail)) {
+    if ((quality == FrameQuality::Resting || quality == FrameQuality::Report) && needed > 0 && !actors->uploaded(detail)) {
       frame.uploads = true;
       if (uploading > 0 && uploading + needed > kUploadTriangles) {
         frame.moreToUpload = true;

@@ -8,8 +8,10 @@
 #include <vtkRenderer.h>
 
 #include <Eigen/Geometry>
+#include <QSize>
 #include <QTimer>
 #include <functional>
+#include <optional>
 
 #include "viewer/frame_budget.h"
 #include "viewer/view_camera.h"
@@ -32,7 +34,9 @@ struct VtkWidget::Scene {
   QTimer rest;                ///< single shot: the end of a movement
   bool moving = false;        ///< something moved within the last kRestMs
   bool cameraByHand = false;  ///< the user moved the camera since it was last placed
-  bool picture = false;       ///< the frame being drawn is for picture()
+  std::optional<FrameQuality> asked;  ///< of the frame that is drawn for picture() or reportPicture()
+  bool due = false;           ///< what is to be seen has changed since the last frame
+  QSize drawn;                ///< pixels of the last frame; invalid before the first one in this context
   double area = 0;            ///< logical pixels of the last resize
   FrameBudget budget;         ///< what frames have taken so far
   FramePlan frame;            ///< the frame being drawn

@@ -15,7 +15,9 @@
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QSurfaceFormat>
+#include <utility>
 
+#include "viewer/redraw_queue.h"
 #include "viewer/vtk_scene.h"
 
 namespace glisson {
@@ -53,7 +55,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_
       return;
     }
     scene_->moving = false;
-    update();
+    RedrawQueue::instance().add(this);
   });
 }
 
@@ -109,7 +111,18 @@ void VtkWidget::prepareSurfaceFormat() {
   QSurfaceFormat::setDefaultFormat(format);
 }
 
-void VtkWidget::requestRender() { update(); }
+void VtkWidget::requestRender() {
+  if (QGuiApplication::mouseButtons() != Qt::NoButton) {
+    drawSoon();  // in one turn with what a drag moves along
+  } else {
+    RedrawQueue::instance().add(this);
+  }
+}
+
+void VtkWidget::drawSoon() {
+  scene_->due = true;
+  update();
+}
 
 QImage VtkWidget::picture() {
   if (!isValid() && !window()->isVisible()) {
@@ -122,9 +135,23 @@ QImage VtkWidget::picture() {
     top->setAttribute(Qt::WA_DontShowOnScreen, false);
     return image;
   }
-  scene_->picture = true;
+  return frameOf(FrameQuality::Picture);
+}
+
+std::optional<QImage> VtkWidget::reportPicture() {
+  if (!isVisible()) {
+    setAttribute(Qt::WA_DontShowOnScreen);
+    setUpdatesEnabled(false);  // drawn only when it is asked
+    show();
+  }
+  QImage image = frameOf(FrameQuality::Report);
+  return scene_->frame.moreToUpload ? std::nullopt : std::optional(std::move(image));
+}
+
+QImage VtkWidget::frameOf(FrameQuality quality) {
+  scene_->asked = quality;
   QImage image = grabFramebuffer();
-  scene_->picture = false;
+  scene_->asked.reset();
   return image;
 }
 
@@ -142,6 +169,7 @@ void VtkWidget::releaseGraphics() {
   makeCurrent();
   scene_->window->Finalize();
   scene_->window->SetReadyForRendering(false);
+  scene_->drawn = {};
   doneCurrent();
 }
 
@@ -152,12 +180,23 @@ void VtkWidget::resizeGL(int width, int height) {
   scene_->touch();  // Qt draws at once after every step of a resize: quick frames until it rests
 }
 
+void VtkWidget::resizeEvent(QResizeEvent* event) {
+  QOpenGLWidget::resizeEvent(event);
+  requestRender();
+}
+
 void VtkWidget::paintGL() {
   Scene& s = *scene_;
   const double ratio = devicePixelRatioF();
   const QSize pixels(qRound(width() * ratio), qRound(height() * ratio));
+  if (!std::exchange(s.due, false) && !s.asked) {
+    // Qt composes the window anew for a reason of its own, perhaps with many views in one turn: the last frame will do until
+    // this view's own turn
+    repeatFrame(pixels);
+    return;
+  }
   s.interactor->UpdateSize(pixels.width(), pixels.height());
-  const FrameQuality quality = s.picture ? FrameQuality::Picture : (s.moving ? FrameQuality::Moving : FrameQuality::Resting);
+  const FrameQuality quality = s.asked.value_or(s.moving ? FrameQuality::Moving : FrameQuality::Resting);
   if (s.beforeFrame) {
     s.beforeFrame(quality);
   }
@@ -172,6 +211,7 @@ void VtkWidget::paintGL() {
   s.window->Render();
   context()->functions()->glFinish();  // a software renderer works behind our back: what a frame costs is known only now
   const double ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+  s.drawn = QSize(qRound(pixels.width() * scale), qRound(pixels.height() * scale));
   copyToWidget(pixels);
   state->Pop();
   s.window->SetSize(pixels.width(), pixels.height());  // the interactor measures the mouse against it
@@ -180,13 +220,30 @@ void VtkWidget::paintGL() {
   }
 }
 
+void VtkWidget::repeatFrame(const QSize& pixels) {
+  Scene& s = *scene_;
+  if (!s.drawn.isValid()) {
+    const double* colour = s.renderer->GetBackground();
+    QOpenGLFunctions* gl = context()->functions();
+    gl->glClearColor(static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2]), 1);
+    gl->glClear(GL_COLOR_BUFFER_BIT);
+    RedrawQueue::instance().add(this);
+    return;
+  }
+  vtkOpenGLState* state = s.window->GetState();
+  state->Reset();
+  state->Push();
+  copyToWidget(pixels);
+  state->Pop();
+}
+
 void VtkWidget::copyToWidget(const QSize& pixels) {
   vtkGenericOpenGLRenderWindow* window = scene_->window;
   vtkOpenGLFramebufferObject* display = window->GetDisplayFramebuffer();
   if (display == nullptr) {
     return;
   }
-  const int* size = window->GetSize();
+  const QSize size = scene_->drawn;
   QOpenGLExtraFunctions* gl = context()->extraFunctions();
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
@@ -194,9 +251,8 @@ void VtkWidget::copyToWidget(const QSize& pixels) {
   display->ActivateReadBuffer(0);
   gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
   gl->glDisable(GL_SCISSOR_TEST);
-  const bool sameSize = pixels == QSize(size[0], size[1]);
-  gl->glBlitFramebuffer(0, 0, size[0], size[1], 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT,
-                        sameSize ? GL_NEAREST : GL_LINEAR);
+  gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT,
+                        pixels == size ? GL_NEAREST : GL_LINEAR);
   // Qt composes the widget with its alpha; what VTK left there would let the window shine through.
   gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
   gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);

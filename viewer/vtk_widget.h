@@ -6,6 +6,9 @@
 #include <QImage>
 #include <QOpenGLWidget>
 #include <memory>
+#include <optional>
+
+#include "viewer/frame_budget.h"
 
 namespace glisson {
 
@@ -19,8 +22,13 @@ class VtkWidget : public QOpenGLWidget {
   static void prepareSurfaceFormat();
   /// Draws again soon; several calls make one frame.
   void requestRender();
+  /// Draws with the next update of the window. For RedrawQueue.
+  void drawSoon();
   /// What is seen, after all pending changes, with depth peeling. A null image where OpenGL is not available.
   [[nodiscard]] QImage picture();
+  /// The same of a view of its own that nobody sees, quicker: reduced meshes, a few of them uploaded with each call. Nothing while
+  /// some are left: ask again in the next turn of the event loop.
+  [[nodiscard]] std::optional<QImage> reportPicture();
 
  protected:
   struct Scene;  ///< render window, renderer, interactor (viewer/vtk_scene.h, VTK types)
@@ -28,6 +36,7 @@ class VtkWidget : public QOpenGLWidget {
   void initializeGL() override;
   void paintGL() override;
   void resizeGL(int width, int height) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -39,6 +48,9 @@ class VtkWidget : public QOpenGLWidget {
  private:
   void releaseGraphics();
   void connectRenderWindow();
+  [[nodiscard]] QImage frameOf(FrameQuality quality);
+  /// The last frame, stretched; the background where there is none.
+  void repeatFrame(const QSize& pixels);
   void copyToWidget(const QSize& pixels);
   void placePointer(const QPointF& position, Qt::KeyboardModifiers modifiers, int repeat);
 

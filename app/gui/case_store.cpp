@@ -3,11 +3,18 @@
 #include <utility>
 
 #include "app/jobs/job_runner.h"
+#include "reconstruction/errors.h"
 
 namespace glisson {
 
 struct CaseStore::Worker : public QObject {
   std::shared_ptr<CaseFile> file;
+
+  void goOnIn(const std::filesystem::path& path, const Case& content) {
+    const std::vector<EditStep> history = file ? file->history() : std::vector<EditStep>();
+    std::filesystem::create_directories(path.parent_path());
+    file = std::make_shared<CaseFile>(CaseFile::create(path, content, history, {.earlier = file.get()}));
+  }
 };
 
 CaseStore::CaseStore(QObject* parent) : QObject(parent), worker_(std::make_unique<Worker>()) {
@@ -19,6 +26,17 @@ CaseStore::~CaseStore() {
   flush();
   thread_.quit();
   thread_.wait();
+}
+
+void CaseStore::postEdit(std::function<void(CaseFile&)> work) {
+  post([this, work = std::move(work)](Worker& worker) {
+    const bool kept = keepsAll_.exchange(false);
+    if (!worker.file) {
+      throw InputError("The change is in no file: save the case under another name.");
+    }
+    work(*worker.file);
+    keepsAll_ = kept;
+  });
 }
 
 void CaseStore::post(std::function<void(Worker&)> work) {
@@ -38,40 +56,31 @@ void CaseStore::countModelsAnew() { models_ = std::make_shared<std::atomic<std::
 
 void CaseStore::create(const std::filesystem::path& path, const Case& content) {
   countModelsAnew();
-  post([path, content](Worker& worker) {
+  post([this, path, content](Worker& worker) {
     worker.file.reset();
-    std::filesystem::create_directories(path.parent_path());
-    worker.file = std::make_shared<CaseFile>(CaseFile::create(path, content));
+    worker.goOnIn(path, content);
+    keepsAll_ = true;
   });
 }
 
 void CaseStore::adopt(std::shared_ptr<CaseFile> file) {
   countModelsAnew();
-  post([file = std::move(file)](Worker& worker) { worker.file = file; });
+  post([this, file = std::move(file)](Worker& worker) {
+    worker.file = file;
+    keepsAll_ = true;
+  });
 }
 
 void CaseStore::storePlans(const std::vector<ResectionPlan>& plans, const QString& name) {
-  post([plans, name = name.toStdString()](Worker& worker) {
-    if (worker.file) {
-      worker.file->storePlans(plans, name);
-    }
-  });
+  postEdit([plans, name = name.toStdString()](CaseFile& file) { file.storePlans(plans, name); });
 }
 
 void CaseStore::storePatient(const PatientFacts& facts, const QString& name) {
-  post([facts, name = name.toStdString()](Worker& worker) {
-    if (worker.file) {
-      worker.file->storePatient(facts, name);
-    }
-  });
+  postEdit([facts, name = name.toStdString()](CaseFile& file) { file.storePatient(facts, name); });
 }
 
 void CaseStore::storeTerritories(const TerritoryMarks& marks, const QString& name) {
-  post([marks, name = name.toStdString()](Worker& worker) {
-    if (worker.file) {
-      worker.file->storeTerritories(marks, name);
-    }
-  });
+  postEdit([marks, name = name.toStdString()](CaseFile& file) { file.storeTerritories(marks, name); });
 }
 
 void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
@@ -85,10 +94,8 @@ void CaseStore::storeModel(std::shared_ptr<const LiverModel> model) {
 
 void CaseStore::editModel(std::shared_ptr<const LiverModel> model, const QString& name, bool goesOn) {
   countModelsAnew();  // the model before is stored, too: the edit's record is the difference from it
-  post([model = std::move(model), name = name.toStdString(), goesOn](Worker& worker) {
-    if (worker.file) {
-      worker.file->store({.model = model.get(), .modelEdit = name, .modelGoesOn = goesOn});
-    }
+  postEdit([model = std::move(model), name = name.toStdString(), goesOn](CaseFile& file) {
+    file.store({.model = model.get(), .modelEdit = name, .modelGoesOn = goesOn});
   });
 }
 
@@ -103,11 +110,18 @@ void CaseStore::withRecord(std::function<void(FileRecord)> then) {
   });
 }
 
+void CaseStore::goOnIn(const std::filesystem::path& path, const Case& content) {
+  countModelsAnew();
+  post([this, path, content](Worker& worker) {
+    worker.goOnIn(path, content);
+    keepsAll_ = true;
+  });
+}
+
 void CaseStore::saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete) {
   post([this, path, content, obsolete](Worker& worker) {
-    const std::vector<EditStep> history = worker.file ? worker.file->history() : std::vector<EditStep>();
-    auto fresh = std::make_shared<CaseFile>(CaseFile::create(path, content, history, {.earlier = worker.file.get()}));
-    worker.file = std::move(fresh);
+    worker.goOnIn(path, content);
+    keepsAll_ = true;
     if (!obsolete.empty() && obsolete != path) {
       std::error_code ignored;  // a recovery file left behind is no loss
       std::filesystem::remove(obsolete, ignored);

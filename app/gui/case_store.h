@@ -44,8 +44,9 @@ class CaseStore : public QObject {
   void editModel(std::shared_ptr<const LiverModel> model, const QString& name, bool goesOn);
   /// Hands the undo records of everything given over before, and the SHA-256 of the CT's files, to `then`, later, on the UI thread.
   void withRecord(std::function<void(FileRecord)> then);
-  /// Writes the whole case to `path`, goes on there, and removes `obsolete` (a recovery file) where it is given. A CT embedded in
-  /// the file it was in goes over.
+  /// Writes the whole case to `path`, with the undo records and the CT of the file it was in, and goes on there.
+  void goOnIn(const std::filesystem::path& path, const Case& content);
+  /// As goOnIn(), emits saved(), and removes `obsolete` (a recovery file) where it is given.
   void saveAs(const std::filesystem::path& path, const Case& content, const std::filesystem::path& obsolete);
   /// Emits saved() after all that was handed over before is on disk.
   void checkpoint();
@@ -53,6 +54,8 @@ class CaseStore : public QObject {
   void close(const std::filesystem::path& discarded = {});
   /// Blocks until everything handed over is on disk.
   void flush();
+  /// Nothing of the file open now has been refused by the disk. Of what was handed over before a flush().
+  [[nodiscard]] bool keepsAll() const { return keepsAll_; }
 
  signals:
   void saved(const QString& path);
@@ -61,10 +64,13 @@ class CaseStore : public QObject {
  private:
   struct Worker;
   void post(std::function<void(Worker&)> work);
+  /// Work that leaves an edit in memory alone where it fails.
+  void postEdit(std::function<void(CaseFile&)> work);
   void countModelsAnew();
 
   QThread thread_;
   std::unique_ptr<Worker> worker_;
+  std::atomic<bool> keepsAll_{true};
   /// Models handed over so far since the file was opened or a model edited; a new counter then, so that no file gets or loses
   /// another's model, and no edit the model it changes.
   std::shared_ptr<std::atomic<std::uint64_t>> models_ = std::make_shared<std::atomic<std::uint64_t>>(0);

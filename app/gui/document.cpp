@@ -38,6 +38,20 @@ void Document::leave() {
   store_.close(untouched ? path_ : std::filesystem::path());
 }
 
+void Document::leaveReadOnlyFile() {
+  if (!readOnly_) {
+    return;
+  }
+  path_ = recoveryFolder_ / (case_.code + ".glisson");
+  for (int n = 2; std::filesystem::exists(path_); ++n) {
+    path_ = recoveryFolder_ / (case_.code + "-" + std::to_string(n) + ".glisson");
+  }
+  readOnly_ = false;
+  recovery_ = true;
+  store_.goOnIn(path_, case_);
+  emit cleanChanged();
+}
+
 void Document::open(Case content, std::shared_ptr<CaseFile> file) {
   leave();
   open_ = true;

@@ -49,6 +49,7 @@ class Document : public QObject {
   /// Where the case is stored now; isRecovery() while it has no name of its own.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] bool isRecovery() const { return recovery_; }
+  /// Another program writes its file, or it is write-protected; until the first edit.
   [[nodiscard]] bool isReadOnly() const { return readOnly_; }
   /// Its texts are the names of the steps in English; show them through stepName().
   [[nodiscard]] QUndoStack& undoStack() { return undo_; }
@@ -130,6 +131,8 @@ class Document : public QObject {
   void saveCopyWithCt(const std::filesystem::path& path);
   /// Blocks until every edit is on disk.
   void flush() { store_.flush(); }
+  /// Every edit is on disk; asked after flush().
+  [[nodiscard]] bool keepsAll() const { return store_.keepsAll(); }
 
  signals:
   void caseChanged();         ///< another case, or none
@@ -154,6 +157,8 @@ class Document : public QObject {
   friend class TerritoriesCommand;
   friend class StructuresCommand;
   void leave();
+  /// A case whose file must not be written goes on in the recovery folder from its first edit on: no edit is in memory alone.
+  void leaveReadOnlyFile();
   [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const ResectionPlane& plane) const;
   void pushPlans(const QString& name, std::vector<ResectionPlan> plans, const ChosenPlane& chosen);
   void setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name);

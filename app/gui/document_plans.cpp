@@ -181,11 +181,10 @@ void Document::endDrag(const ResectionPlane& plane) {
 }
 
 void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name) {
+  leaveReadOnlyFile();
   case_.plans = std::move(plans);
   chosen_ = existing(case_.plans, chosen);
-  if (!readOnly_) {
-    store_.storePlans(case_.plans, name);
-  }
+  store_.storePlans(case_.plans, name);
   emit planChanged();
   assessInFrame();
   assessAll();
@@ -225,18 +224,16 @@ void Document::setTerritories(const TerritoryMarks& marks, const QString& step) 
 }
 
 void Document::storeTerritories(const TerritoryMarks& marks, const QString& name) {
+  leaveReadOnlyFile();
   case_.territories = marks;
-  if (!readOnly_) {
-    store_.storeTerritories(marks, name);
-  }
+  store_.storeTerritories(marks, name);
   emit territoriesChanged();
 }
 
 void Document::storePatient(const PatientFacts& facts, const QString& name) {
+  leaveReadOnlyFile();
   case_.patient = facts;
-  if (!readOnly_) {
-    store_.storePatient(facts, name);
-  }
+  store_.storePatient(facts, name);
   emit patientChanged();
 }
 

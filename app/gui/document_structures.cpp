@@ -101,10 +101,9 @@ void Document::setStructures(const std::vector<StructureChange>& changes, Direct
   if (model == case_.model) {
     return;
   }
+  leaveReadOnlyFile();
   case_.model = std::move(model);
-  if (!readOnly_) {
-    store_.editModel(case_.model, name, goesOn);
-  }
+  store_.editModel(case_.model, name, goesOn);
   emit modelChanged();
 }
 

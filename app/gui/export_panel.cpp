@@ -20,6 +20,7 @@ ExportPanel::ExportPanel(Document& document, JobRunner& jobs, QWidget* parent)
       document_(document),
       jobs_(jobs),
       export_(new QPushButton(this)),
+      plan_(new QLabel(this)),
       contents_(new QLabel(this)),
       stl_(new QCheckBox(this)),
       glb_(new QCheckBox(this)),
@@ -34,16 +35,17 @@ ExportPanel::ExportPanel(Document& document, JobRunner& jobs, QWidget* parent)
   patientId_->setObjectName("exportPatientId");
   notAccepted_->setObjectName("exportNotAccepted");
   result_->setObjectName("exportResult");
+  plan_->setObjectName("exportPlan");
   stl_->setChecked(true);
   glb_->setChecked(true);
-  for (QLabel* label : {contents_, deviations_, notAccepted_, result_}) {
+  for (QLabel* label : {plan_, contents_, deviations_, notAccepted_, result_}) {
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 4, 6, 4);
   for (QWidget* part :
-       std::initializer_list<QWidget*>{export_, contents_, stl_, glb_, patientId_, deviations_, notAccepted_, result_}) {
+       std::initializer_list<QWidget*>{export_, plan_, contents_, stl_, glb_, patientId_, deviations_, notAccepted_, result_}) {
     column->addWidget(part);
   }
   column->addStretch(1);
@@ -106,6 +108,8 @@ void ExportPanel::refresh() {
   const QString reason = refusal();
   export_->setEnabled(reason.isEmpty());
   export_->setToolTip(reason.isEmpty() ? tr("Writes the navigation package (Ctrl+E)") : shownSentence(reason));
+  plan_->setVisible(document_.isOpen());
+  plan_->setText(tr("Plan: %1").arg(shownName(document_.plan().name)));
   const QStringList found = deviations();
   deviations_->setVisible(!found.isEmpty());
   deviations_->setText(tr("These structures deviate from their voxels; you will be asked before they are exported:") + '\n' +
@@ -170,6 +174,7 @@ void ExportPanel::exportTo(const QString& directory) {
 
 void ExportPanel::write(const QString& directory, bool acceptDeviations) {
   ExportOptions options;
+  options.planName = document_.plan().name;
   options.stl = stl_->isChecked();
   options.glb = glb_->isChecked();
   options.patientId = patientId_->isChecked();

@@ -43,6 +43,7 @@ class ExportPanel : public Translated<QWidget> {
   Document& document_;
   JobRunner& jobs_;
   QPushButton* export_;
+  QLabel* plan_;  ///< which one is exported: the one worked on
   QLabel* contents_;
   QCheckBox* stl_;
   QCheckBox* glb_;

@@ -27,6 +27,7 @@
 #include "app/gui/plane_editor.h"
 #include "app/gui/plane_placer.h"
 #include "app/gui/sentences.h"
+#include "app/gui/report_writer.h"
 #include "app/gui/start_page.h"
 #include "app/gui/start_rating.h"
 #include "app/gui/structure_list.h"
@@ -46,7 +47,8 @@ MainWindow::MainWindow(JobRunner& jobs, Language& language, std::filesystem::pat
       document_(new Document(jobs, recoveryFolder_, this)),
       opener_(new CaseOpener(jobs, this)),
       builder_(new ModelBuilder(jobs, *document_, this)),
-      territories_(new TerritoryEstimator(jobs, *document_, this)) {
+      territories_(new TerritoryEstimator(jobs, *document_, this)),
+      reports_(new ReportWriter(jobs, this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
   setMinimumSize(1024, 700);
@@ -141,6 +143,11 @@ void MainWindow::connectParts() {
   });
   connect(document_, &Document::copySaved, this,
           [this](const QString& path) { jobBar_->tell(tr("Saved with the CT: %1").arg(QDir::toNativeSeparators(path))); });
+  connect(reports_, &ReportWriter::refused, this, &MainWindow::complain);
+  connect(reports_, &ReportWriter::written, this, [this](const QString& path) {
+    jobBar_->tell(tr("Report written: %1").arg(QDir::toNativeSeparators(path)));
+    emit reportWritten(path);
+  });
   connect(export_, &ExportPanel::exportFailed, this, &MainWindow::complain);
   connect(export_, &ExportPanel::exported, this, [this](const QString& folder) {
     jobBar_->tell(tr("Exported and verified: %1").arg(QDir::toNativeSeparators(folder)));
@@ -226,8 +233,9 @@ void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& 
     remember(QString::fromStdString(file->path().string()));
   }
   if (document_->isReadOnly()) {
-    complain(QStringLiteral("%1 is open in another program: it can be looked at, and changes are kept only with Save as.")
-                 .arg(QString::fromStdString(document_->path().string())));
+    messages_->add(
+        QStringLiteral("%1 is open in another program or write-protected: changes are kept in a copy of it; save that under another name.")
+            .arg(QString::fromStdString(document_->path().string())));
   }
   if (!content.ct) {
     readCtLater();
@@ -241,12 +249,17 @@ void MainWindow::readCtLater() {
     return;
   }
   JobRequest request{.key = "ct", .title = tr("Reading the CT")};
-  request.fail = [this](const std::exception& error) { document_->setNoCt(messageOf(error)); };
+  const auto stillOpen = [this, code = document_->content().code] { return document_->content().code == code; };
+  request.fail = [this, stillOpen](const std::exception& error) {
+    if (stillOpen()) {
+      document_->setNoCt(messageOf(error));
+    }
+  };
   submitFor<std::shared_ptr<const CtVolume>>(
       jobs_, std::move(request),
       [content = document_->content()](const ExecutionContext& context) { return readCtOf(content, context); },
-      [this, code = document_->content().code](const std::shared_ptr<const CtVolume>& ct) {
-        if (document_->content().code == code) {
+      [this, stillOpen](const std::shared_ptr<const CtVolume>& ct) {
+        if (stillOpen()) {
           document_->setCt(ct);
         }
       });

@@ -26,6 +26,7 @@ class MessageBar;
 class PlanPanel;
 class PlanePlacer;
 class StartPage;
+class ReportWriter;
 class TerritoryEstimator;
 class TitleLine;
 class ViewArea;
@@ -58,7 +59,7 @@ class MainWindow : public Translated<QMainWindow> {
   /// Asks for a file, then writes the report of the plan worked on; with the patient's name, id and birth date only where asked
   /// for.
   void saveReport(bool withIdentity);
-  /// Throws InputError where it cannot be written, PlanningError while the numbers are not those of the plan, and as writePdf().
+  /// reportWritten() or failed() tells. Throws PlanningError while the numbers are not those of the plan, and as ReportWriter.
   void writeReport(const QString& path, bool withIdentity = false);
   /// Makes models of the case's parenchyma by both methods and opens the window in which they are rated.
   void rateModels();
@@ -73,6 +74,7 @@ class MainWindow : public Translated<QMainWindow> {
  signals:
   /// An input was refused, a structure or an export failed: also shown in the message bar.
   void failed(const QString& message);
+  void reportWritten(const QString& path);
   void recentChanged(const QList<glisson::RecentCase>& cases);
 
  protected:
@@ -102,6 +104,7 @@ class MainWindow : public Translated<QMainWindow> {
   CaseOpener* opener_;
   ModelBuilder* builder_;
   TerritoryEstimator* territories_;
+  ReportWriter* reports_;
   WorkspaceBar* workspaces_;
   TitleLine* title_;
   MessageBar* messages_;
@@ -118,6 +121,7 @@ class MainWindow : public Translated<QMainWindow> {
   LabWorkspace* lab_;
   JobBar* jobBar_;
   MainActions* actions_ = nullptr;
+  bool losesEdits_ = false;  ///< the user has said so
   bool leftWanted_ = true;
   bool rightWanted_ = true;
 };

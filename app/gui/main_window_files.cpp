@@ -2,6 +2,7 @@
 
 #include <QCloseEvent>
 #include <QCoreApplication>
+#include <QDir>
 #include <QDragEnterEvent>
 #include <QMessageBox>
 #include <QMimeData>
@@ -11,9 +12,10 @@
 #include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/number_text.h"
-#include "app/gui/plan_report.h"
+#include "app/gui/report_writer.h"
 #include "app/gui/question_box.h"
 #include "app/gui/territory_estimator.h"
+#include "app/gui/view_area.h"
 #include "planning/storage/embedded_ct.h"
 #include "reconstruction/errors.h"
 
@@ -112,9 +114,20 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  // nothing to ask: every edit is in the case's file already
-  document_->flush();
-  event->accept();
+  document_->flush();  // every edit is in the case's file then, and there is nothing to ask
+  if (document_->keepsAll() || losesEdits_) {
+    event->accept();
+    return;
+  }
+  event->ignore();
+  const auto lose = [this] {
+    losesEdits_ = true;
+    close();
+  };
+  ask(this,
+      {"lostEditsDialog", tr("Changes are not on disk"), tr("The last changes could not be written and go with the window."),
+       QDir::toNativeSeparators(QString::fromStdString(document_->path().string()))},
+      {{"lostEditsSave", tr("Save under another name..."), [this] { saveAs(); }}, {"lostEditsClose", tr("Close and lose them"), lose}});
 }
 
 void MainWindow::showAbout() {
@@ -138,7 +151,6 @@ void MainWindow::saveReport(bool withIdentity) {
   }
   try {
     writeReport(path, withIdentity);
-    jobBar_->tell(tr("Report written: %1").arg(QDir::toNativeSeparators(path)));
   } catch (const Error& error) {
     complain(messageOf(error));
   }
@@ -148,16 +160,14 @@ void MainWindow::writeReport(const QString& path, bool withIdentity) {
   if (!document_->isOpen() || document_->freshness() != Freshness::All) {
     throw PlanningError("The plan's numbers are still being computed; try again in a moment.");
   }
-  PlanReport report{document_->content(),
-                    document_->plan(),
-                    document_->assessment(),
-                    reportViews(document_->content(), document_->plan(), document_->tumourDistance()),
-                    withIdentity,
-                    {}};
+  PlanReport report{.content = document_->content(),
+                    .plan = document_->plan(),
+                    .assessment = document_->assessment(),
+                    .withIdentity = withIdentity};
   if (const TerritoryReport* territories = territories_->report()) {
     report.territories = *territories;
   }
-  writePdf(report, path);
+  reports_->write(std::move(report), document_->tumourDistance(), views_->displayMeshes(), path);
 }
 
 }  // namespace glisson

@@ -21,7 +21,6 @@
 #include "planning/storage/surface_hash.h"
 #include "planning/volumetry/tumour_measures.h"
 #include "reconstruction/errors.h"
-#include "viewer/model_view.h"
 
 namespace glisson {
 
@@ -414,27 +413,7 @@ bool hasIdentity(const Case& content) {
   return !patient.patientName.empty() || !patient.patientId.empty() || !patient.birthDate.empty();
 }
 
-std::array<QImage, 3> reportViews(const Case& content, const ResectionPlan& plan,
-                                  const std::shared_ptr<const TumourDistance>& tumours) {
-  ModelView view;
-  view.resize(660, 560);
-  view.setModel(content.model);
-  view.setTumours(tumours);
-  view.setPlan(plan);
-  view.setHandlesShown(false);
-  std::array<QImage, 3> views;
-  constexpr std::array kViews{ModelView::StandardView::Anterior, ModelView::StandardView::Superior, ModelView::StandardView::Left};
-  for (std::size_t n = 0; n < views.size(); ++n) {
-    view.setStandardView(kViews[n]);
-    views[n] = view.picture();
-  }
-  return views;
-}
-
 void writePdf(const PlanReport& report, const QString& path) {
-  if (report.withIdentity && !hasIdentity(report.content)) {
-    throw PlanningError("The case holds neither name, id nor birth date of the patient; write the report without them.");
-  }
   QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly)) {
     throw InputError(path.toStdString() + " cannot be written; check the folder.");

@@ -10,7 +10,6 @@
 #include "planning/case/case.h"
 #include "planning/territories/territory_json.h"
 #include "planning/volumetry/assessment.h"
-#include "planning/volumetry/tumour_distance.h"
 
 namespace glisson {
 
@@ -18,7 +17,7 @@ struct PlanReport {
   Case content;
   ResectionPlan plan;
   PlanAssessment assessment;                     ///< of this plan
-  std::array<QImage, 3> views;                   ///< from anterior, from superior, from the left
+  std::array<QImage, 3> views{};                 ///< from anterior, from superior, from the left
   bool withIdentity = false;                     ///< else the code alone stands for the patient
   std::optional<TerritoryReport> territories{};  ///< of this plan, where they were estimated
 };
@@ -26,12 +25,7 @@ struct PlanReport {
 /// The case holds the patient's name, id or birth date: withIdentity would say something.
 bool hasIdentity(const Case& content);
 
-/// The three views of a report, drawn off-screen in full detail. Needs OpenGL; null images where there is none.
-std::array<QImage, 3> reportViews(const Case& content, const ResectionPlan& plan,
-                                  const std::shared_ptr<const TumourDistance>& tumours);
-
-/// An older file at `path` is replaced by a complete one only. Throws InputError where it cannot be written, PlanningError where an
-/// identity is asked for that the case does not hold.
+/// An older file at `path` is replaced by a complete one only. Throws InputError where it cannot be written. On any thread.
 void writePdf(const PlanReport& report, const QString& path);
 
 }  // namespace glisson

@@ -38,12 +38,13 @@ ScreenshotTaker::ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString pi
       withIdentity_(withIdentity) {
   connect(&jobs_, &JobRunner::becameIdle, this, &ScreenshotTaker::proceed, Qt::QueuedConnection);
   connect(&window_, &MainWindow::failed, this,
-          [this](const QString& message) { finish(window_.document().isOpen() ? 4 : 3, message); });
+          [this](const QString& message) { finish(window_.document().isOpen() && !reporting_ ? 4 : 3, message); });
+  connect(&window_, &MainWindow::reportWritten, this, [this] { finish(0, {}); });
 }
 
 void ScreenshotTaker::proceed() {
   Document& document = window_.document();
-  if (finished_ || !jobs_.idle() || !document.isOpen()) {
+  if (finished_ || reporting_ || !jobs_.idle() || !document.isOpen()) {
     return;
   }
   if (window_.builder().missing() > 0) {
@@ -67,11 +68,13 @@ void ScreenshotTaker::write() {
     finish(3, tr("%1 cannot be written; check the folder.").arg(picture_));
     return;
   }
-  try {
-    if (!report_.isEmpty()) {
-      window_.writeReport(report_, withIdentity_);
-    }
+  if (report_.isEmpty()) {
     finish(0, {});
+    return;
+  }
+  reporting_ = true;  // reportWritten() ends it
+  try {
+    window_.writeReport(report_, withIdentity_);
   } catch (const Error& error) {
     finish(3, shownSentence(messageOf(error)));
   }

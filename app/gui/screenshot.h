@@ -35,6 +35,7 @@ class ScreenshotTaker : public QObject {
   QString report_;
   bool placePlane_;
   bool withIdentity_;
+  bool reporting_ = false;
   bool finished_ = false;
 };
 

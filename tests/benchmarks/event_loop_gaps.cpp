@@ -81,6 +81,7 @@ class Session {
     QObject::connect(&window_, &MainWindow::failed, [this](const QString& message) { problem_ = message; });
     QObject::connect(&window_.opener(), &CaseOpener::opened, [this] { ++opened_; });
     QObject::connect(&window_.exportPanel(), &ExportPanel::exported, [this] { exported_ = true; });
+    QObject::connect(&window_, &MainWindow::reportWritten, [this] { reported_ = true; });
   }
 
   bool openCase() {
@@ -146,7 +147,9 @@ class Session {
     }
     runUntil([&] { return exported_ || !problem_.isEmpty(); }, 300);
     rest(500);
-    act("report", [&] { window_.writeReport(folder_.filePath("plan.pdf")); });
+    application_.act("report", [&] { window_.writeReport(folder_.filePath("plan.pdf")); });
+    runUntil([&] { return reported_ || !problem_.isEmpty(); }, 120);
+    rest(500);
     act("language", [&] { window_.setLanguage("de"); });
   }
 
@@ -201,6 +204,7 @@ class Session {
   Document& document_ = window_.document();
   QString problem_;
   bool exported_ = false;
+  bool reported_ = false;
   int opened_ = 0;
   qint64 windingDownMs_ = 0;
 };

@@ -49,6 +49,19 @@ TEST(FrameBudget, APictureIsFullAndExactWhateverItCosts) {
   EXPECT_EQ(frame.scale, 1.0);
 }
 
+TEST(FrameBudget, AReportLooksTheSameOnEveryMachine) {
+  for (const double fullMs : {1.0, 5000.0}) {
+    FrameBudget budget;
+    rest(budget, kLarge, proportional(fullMs, kLarge));
+    const FramePlan frame = budget.plan(FrameQuality::Report, kLarge, true);
+    EXPECT_EQ(frame.detail, Detail::Reduced);
+    EXPECT_TRUE(frame.peels);
+    EXPECT_TRUE(frame.smoothEdges);
+    EXPECT_EQ(frame.scale, 1.0);
+    EXPECT_FALSE(budget.remember(frame, 10));
+  }
+}
+
 TEST(FrameBudget, TheFirstRestingFrameOfLargeMeshesIsReduced) {
   EXPECT_EQ(FrameBudget().plan(FrameQuality::Resting, kLarge, true).detail, Detail::Reduced);
   EXPECT_EQ(FrameBudget().plan(FrameQuality::Resting, kSmall, true).detail, Detail::Full);

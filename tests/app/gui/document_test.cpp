@@ -343,6 +343,49 @@ TEST_F(DocumentTest, AReopenedCaseHasItsUndoHistoryWithNamesWithoutWhatWasUndone
   again.flush();
 }
 
+TEST_F(DocumentTest, H6ACaseThatMayOnlyBeReadIsEditedInACopyThatIsKept) {
+  document->placePlane(planeAt(0));
+  document->saveAs(named());
+  ASSERT_TRUE(waitFor([&] { return document->isClean(); }));
+  const std::string code = document->content().code;
+  {
+    Document other(jobs, recovery());  // while the first one still writes it
+    openAgain(other);
+    ASSERT_TRUE(other.isReadOnly());
+    EXPECT_EQ(other.path(), named());
+    other.movePlane(planeAt(7));
+    PatientFacts tall;
+    tall.heightCm = 170;
+    other.setPatient(tall);
+    EXPECT_FALSE(other.isReadOnly());
+    EXPECT_TRUE(other.isRecovery());
+    EXPECT_FALSE(other.isClean());
+    EXPECT_EQ(other.path().parent_path(), recovery());
+    other.flush();
+    EXPECT_TRUE(other.keepsAll());
+  }
+  EXPECT_EQ(planOnDisk(named()).resections[0].planes[0].origin, planeAt(0).origin);
+  const Case copy = CaseFile::open(recovery() / (code + ".glisson")).load();
+  EXPECT_EQ(copy.plans[0].resections[0].planes[0].origin, planeAt(7).origin);
+  EXPECT_EQ(copy.patient.heightCm, 170);
+  EXPECT_EQ(CaseFile::open(recovery() / (code + ".glisson")).history().size(), 3U);
+}
+
+TEST_F(DocumentTest, H6AnEditThatIsInNoFileIsKnown) {
+  ASSERT_TRUE(document->keepsAll());
+  std::filesystem::remove_all(recovery());
+  std::ofstream(recovery()) << "a file where the folder was";
+  Document homeless(jobs, recovery());
+  homeless.open(smallCase());
+  homeless.placePlane(planeAt(3));
+  homeless.flush();
+  EXPECT_FALSE(homeless.keepsAll());
+  homeless.saveAs(named());
+  homeless.flush();
+  EXPECT_TRUE(homeless.keepsAll());
+  EXPECT_EQ(planOnDisk(named()).resections[0].planes[0].origin, planeAt(3).origin);
+}
+
 TEST_F(DocumentTest, ACrashLosesNoEditOfThePatientNorItsPlaceInTheHistory_H6) {
   const PatientFacts tall{190, 80, LiverCondition::Normal, std::nullopt};
   const PatientFacts small{160, 80, LiverCondition::Injured, std::nullopt};

@@ -10,6 +10,8 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QInputDialog>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
@@ -56,6 +58,12 @@ class WindowTest : public test::MainWindowTest {
     const QString file = code == "de" ? "&Datei" : "&File";
     ASSERT_TRUE(waitFor([&] { return find<QMenu>("menuFile")->menuAction()->text() == file; }));
     QTest::qWait(50);  // layouts settle in the event loop
+  }
+  bool writeReport(const QString& path, bool named = false) {
+    const QSignalSpy written(window.get(), &MainWindow::reportWritten);
+    const QSignalSpy failed(window.get(), &MainWindow::failed);
+    window->writeReport(path, named);
+    return waitFor([&] { return written.count() + failed.count() > 0; }) && failed.isEmpty();
   }
   void openSmallWithPlane() {
     openSmall();
@@ -274,7 +282,7 @@ TEST_F(WindowTest, ABentPlaneIsOneStepADragAndFlatAgain) {
   EXPECT_EQ(find<QAction>("actionUndo")->text(), "Undo: bend plane");
   const Bend bent = *document().plane()->bend;
   const QString report = folder.filePath("bent.pdf");
-  window->writeReport(report);
+  ASSERT_TRUE(writeReport(report));
   QProcess reader;
   reader.start("pdftotext", {"-layout", report, "-"});
   ASSERT_TRUE(reader.waitForFinished());
@@ -367,7 +375,7 @@ TEST_F(WindowTest, AStructureIsAcceptedByAPersonWhoIsAskedForTheNameOnce) {
   EXPECT_EQ(document().content().model->find("tumour_01")->acceptance->by, "Dr. A") << "the name is remembered";
   const QString report = folder.filePath("report.pdf");
   ASSERT_TRUE(settle());
-  window->writeReport(report);
+  ASSERT_TRUE(writeReport(report));
   QProcess reader;
   reader.start("pdftotext", {"-layout", report, "-"});
   ASSERT_TRUE(reader.waitForFinished());
@@ -526,7 +534,7 @@ TEST_F(WindowTest, AReportSaysEveryConsentAndHandsNoNameOn_H8) {
   ASSERT_TRUE(settle());
   for (const bool named : {false, true}) {
     const QString report = folder.filePath("report.pdf");
-    window->writeReport(report, named);
+    ASSERT_TRUE(writeReport(report, named));
     QProcess reader;
     reader.start("pdftotext", {"-layout", report, "-"});
     ASSERT_TRUE(reader.waitForFinished());
@@ -542,7 +550,7 @@ TEST_F(WindowTest, AReportThatNamesThePatientIsOfferedOnlyWhereTheCaseKnowsOne_H
   EXPECT_TRUE(find<QAction>("actionReportIdentity")->isEnabled());
   for (const bool named : {false, true}) {
     const QString report = folder.filePath("report.pdf");
-    window->writeReport(report, named);
+    ASSERT_TRUE(writeReport(report, named));
     QProcess reader;
     reader.start("pdftotext", {"-layout", report, "-"});
     ASSERT_TRUE(reader.waitForFinished());
@@ -577,6 +585,31 @@ TEST_F(WindowTest, ThePackageIsExportedAndSound) {
   EXPECT_EQ(find<QToolButton>("workspaceExport")->text(), "Export\nexported");
   window->placer().moveBy(1);
   EXPECT_EQ(find<QToolButton>("workspaceExport")->text(), "Export\nout of date") << "H5";
+}
+
+TEST_F(WindowTest, H7ThePackageIsOfThePlanWorkedOn) {
+  openSmallWithPlane();
+  document().duplicatePlan();
+  ASSERT_TRUE(settle());
+  window->placer().moveBy(5);
+  ASSERT_TRUE(settle());
+  const Vec3 origin = document().plane()->origin;
+  click("workspaceExport");
+  EXPECT_TRUE(find<QLabel>("exportPlan")->text().contains("Plan 2")) << find<QLabel>("exportPlan")->text().toStdString();
+  QSignalSpy exported(&window->exportPanel(), &ExportPanel::exported);
+  QSignalSpy failed(window.get(), &MainWindow::failed);
+  window->exportPanel().exportTo(folder.path());
+  if (auto* accept = window->findChild<QPushButton*>("deviationAccept")) {
+    accept->click();
+  }
+  ASSERT_TRUE(waitFor([&] { return exported.count() + failed.count() > 0; }));
+  ASSERT_EQ(failed.count(), 0) << failed.front().front().toString().toStdString();
+  QFile file(exported.front().front().toString() + "/plan.json");
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QJsonArray written = QJsonDocument::fromJson(file.readAll())["resections"][0]["planes"][0]["originMm"].toArray();
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_DOUBLE_EQ(written[axis].toDouble(), origin[axis]);
+  }
 }
 
 TEST_F(WindowTest, TheTitleLineNamesThePatientAndTheSwitchHidesThePerson_H2_H8) {

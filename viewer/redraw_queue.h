@@ -1,0 +1,29 @@
+#pragma once
+// Purpose: views that change together are drawn one in a turn of the event loop, so that the window answers between them. UI thread.
+
+#include <QList>
+#include <QObject>
+#include <QPointer>
+#include <QTimer>
+
+#include "viewer/vtk_widget.h"
+
+namespace glisson {
+
+class RedrawQueue : public QObject {
+  Q_OBJECT
+ public:
+  /// The one of this program; goes with it.
+  static RedrawQueue& instance();
+  /// The view is drawn in a turn of its own, behind those that wait; once, however often it asks.
+  void add(VtkWidget* view);
+
+ private:
+  explicit RedrawQueue(QObject* parent);
+  void drawNext();
+
+  QList<QPointer<VtkWidget>> waiting_;
+  QTimer turn_;  ///< of 0 ms: fires behind the events that are posted, the drawing of the view before among them
+};
+
+}  // namespace glisson
