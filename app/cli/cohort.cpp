@@ -37,7 +37,7 @@ std::optional<PatientOutcome> outcomeOf(const CohortToEvaluate& cohort, const Co
   } catch (const std::exception& error) {
     outcome.failure = error.what();
   }
-  saveOutcome(cohort.folder, entry, cohort.options, outcome);
+  saveOutcome(cohort.folder, {entry, cohort.options, cohort.recipes}, outcome);
   return outcome;
 }
 
@@ -47,7 +47,7 @@ GatheredCohort gathered(const CohortToEvaluate& cohort) {
   all.options = cohort.options;
   std::vector<PatientFigures> figures;
   for (const CohortEntry& entry : cohort.list.entries) {
-    all.patients.push_back({entry, loadOutcome(cohort.folder, entry, cohort.options)});
+    all.patients.push_back({entry, loadOutcome(cohort.folder, {entry, cohort.options, cohort.recipes})});
     if (all.patients.back().state() == PatientState::Evaluated) {
       figures.push_back(all.patients.back().outcome->figures);
     }

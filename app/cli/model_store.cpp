@@ -13,16 +13,13 @@ namespace glisson::cli {
 
 namespace {
 
-/// To be raised where a model's numbers change and the program's version does not.
-constexpr int kStoreVersion = 1;
-
 std::string textOf(const Index3& index) {
   return std::to_string(index[0]) + " " + std::to_string(index[1]) + " " + std::to_string(index[2]) + "\n";
 }
 
 std::string keyOf(const EvaluatedLabel& label) {
   const Mask& mask = *label.chosen.mask;
-  std::string facts = "glisson " + std::string(glissonVersion()) + " models " + std::to_string(kStoreVersion) + "\n";
+  std::string facts = "glisson " + std::string(glissonVersion()) + " models " + std::to_string(kModelsVersion) + "\n";
   facts += label.options.sampling == Sampling::Paper ? "paper " : "unbiased ";
   facts += formatExact(label.options.scale) + " " + std::to_string(label.options.timings) + "\n";
   facts += textOf(label.geometry.size) + textOf(mask.box().first) + textOf(mask.box().size);

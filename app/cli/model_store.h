@@ -11,6 +11,9 @@
 
 namespace glisson::cli {
 
+/// To be raised where a model's numbers change and the program's version does not: of models and of outcomes made of them.
+inline constexpr int kModelsVersion = 2;
+
 class ModelStore {
  public:
   /// Touches no file. `folder` is DIR/models.
