@@ -289,6 +289,17 @@ TEST_F(LabTest, TheSlidersModelHasAnOpenMarkOfItsOwnUntilTheExperimentHasIt) {
   EXPECT_EQ(evaluation().models.size(), 4U);
 }
 
+TEST_F(LabTest, ADepthThatTheExperimentCouldNotMakeIsMeasuredByTheSliderUnderItsOwnName) {
+  compare({ModelFamily::Psr});
+  ASSERT_FALSE(evaluation().models[placeOf(kDepth8)].measures);
+  find<QSlider>("labDepth")->setValue(8);
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  ASSERT_TRUE(lab().side(0).model() && lab().side(0).model()->measures);
+  EXPECT_TRUE(find<QLabel>("labNameA")->text().contains("PSR d=6")) << find<QLabel>("labNameA")->text().toStdString();
+  EXPECT_FALSE(find<QLabel>("labNumbersA")->text().contains("too small"));
+  EXPECT_TRUE(lab().plot().pixelBeside(0).has_value());
+}
+
 TEST_F(LabTest, TheSurfaceComesFirstAndSaysThatItsErrorsFollow) {
   bool bare = false;
   QObject::connect(&lab().side(0), &LabSide::changed, window.get(), [&] {
