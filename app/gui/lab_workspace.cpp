@@ -162,8 +162,7 @@ void LabWorkspace::refreshNumbers() {
     }
     chosen[side] = measuredPlaceOf(*shown.recipe());
     if (chosen[side]) {
-      const std::optional<ModelScore>& score = evaluation.scores[*chosen[side]];
-      rows[side] = {&evaluation.models[*chosen[side]], score ? &*score : nullptr, voxelMl};
+      rows[side] = {&evaluation.models[*chosen[side]], evaluation.finalScore(*chosen[side]), voxelMl};
     } else if (shown.model()) {
       rows[side] = {&*shown.model(), nullptr, voxelMl};
       beside[side] = shown.model()->measures ? shown.model() : std::nullopt;

@@ -44,6 +44,7 @@ struct Evaluation {
   std::vector<EvaluatedModel> models;
   std::vector<std::optional<ModelScore>> scores;  ///< one for each model
   std::optional<ObjectiveBounds> bounds;          ///< of the published models
+  bool publishedComplete = false;                 ///< each published model is there or failed: scores and choices are final
   std::optional<std::size_t> bestPsr;             ///< P_best [eq. 11]
   std::optional<std::size_t> bestMcsd;            ///< C_best [eq. 11]
   std::optional<std::size_t> bestOfAll;           ///< M_best [eq. 12]: of the published models
@@ -52,6 +53,8 @@ struct Evaluation {
   std::optional<std::size_t> bestOther;           ///< least score of the other methods' models
 
   [[nodiscard]] std::size_t failed() const;
+  /// Null where the model has no score, or further models may change it.
+  [[nodiscard]] const ModelScore* finalScore(std::size_t place) const;
 };
 
 /// Scores all models that have measures. Where no published model has any, nothing is scored.

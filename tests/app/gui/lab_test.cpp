@@ -110,7 +110,16 @@ TEST_F(LabTest, ModelsOfTheChosenFamiliesArriveAndOneThatFailsStopsNoOther) {
   EXPECT_EQ(evaluation().models[placeOf(kDepth6)].seconds.total(), seconds) << "what is there is not made again";
 }
 
-TEST_F(LabTest, EveryFamilyTogetherIsTheExperimentOfTheCommandLine) {
+TEST_F(LabTest, EveryFamilyTogetherIsTheExperimentOfTheCommandLineAndOnlyThenScored) {
+  const auto score = [this](int row) {
+    const QAbstractItemModel* table = find<QTableView>("labTableView")->model();
+    return table->index(row, table->columnCount() - 2).data().toString();
+  };
+  compare({ModelFamily::Psr});
+  clickModel(kDepth5);
+  EXPECT_EQ(score(0), "-");
+  EXPECT_TRUE(find<QLabel>("labNumbersA")->text().contains("Score\u00A0<b>-</b>"));
+  EXPECT_EQ(lab().plot().frontName(), "front so far");
   compare({ModelFamily::Psr, ModelFamily::Mcsd, ModelFamily::SimplifiedPsr, ModelFamily::Other});
   ASSERT_EQ(evaluation().models.size(), allRecipes().size());
   const std::vector<ModelRecipe> order = allRecipes();
@@ -118,6 +127,9 @@ TEST_F(LabTest, EveryFamilyTogetherIsTheExperimentOfTheCommandLine) {
     EXPECT_EQ(evaluation().models[n].recipe, order[n]);
   }
   EXPECT_TRUE(evaluation().bestPsr && evaluation().bestMcsd && evaluation().mostSimilar);
+  EXPECT_NE(score(0), "-");
+  EXPECT_FALSE(find<QLabel>("labNumbersA")->text().contains("Score\u00A0<b>-</b>"));
+  EXPECT_EQ(lab().plot().frontName(), "front");
 }
 
 TEST_F(LabTest, AClickShowsTheModelThatWasMeasured) {
