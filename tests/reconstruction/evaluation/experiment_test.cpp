@@ -46,16 +46,18 @@ Body ellipsoid() {
   return body;
 }
 
-std::vector<EvaluatedModel> make(const Body& body, const std::vector<ModelRecipe>& recipes, const ExperimentOptions& options = {}) {
+std::vector<EvaluatedModel> make(const Body& body, const std::vector<ModelRecipe>& recipes, const ExperimentOptions& options = {},
+                                 const ExecutionContext& context = {}) {
   const EvaluationReference reference(body.mask, body.geometry);
   std::vector<EvaluatedModel> models(recipes.size());
   std::vector<int> visits(recipes.size(), 0);
   std::mutex mutex;
-  makeModels(body.mask, body.geometry, reference, recipes, options, [&](std::size_t n, EvaluatedModel model) {
+  const auto take = [&](std::size_t n, EvaluatedModel model) {
     const std::lock_guard lock(mutex);
     ++visits[n];
     models[n] = std::move(model);
-  });
+  };
+  makeModels(body.mask, body.geometry, reference, recipes, options, take, context);
   EXPECT_EQ(visits, std::vector<int>(recipes.size(), 1));
   return models;
 }
@@ -193,6 +195,20 @@ TEST(Experiment, KeepsTheQuickestOfSeveralRunsAndTheSameNumbers) {
     EXPECT_EQ(withoutTimes(once[n]), withoutTimes(thrice[n]));
     EXPECT_GT(thrice[n].seconds.total(), 0.0);
   }
+}
+
+TEST(Experiment, TimesTheSimplificationAsOftenAsTheRest) {
+  const Body body = ellipsoid();
+  const auto simplifications = [&](int timings) {
+    int reports = 0;
+    const ExecutionContext context([&](double /*done*/, std::string_view phase) { reports += phase == "simplify" ? 1 : 0; });
+    const auto models = make(body, {kFew[1]}, {.timings = timings}, context);
+    EXPECT_GT(models[0].seconds.simplify, 0.0);
+    return reports;
+  };
+  const int once = simplifications(1);
+  EXPECT_GT(once, 0);
+  EXPECT_EQ(simplifications(3), 3 * once);
 }
 
 TEST(Experiment, NeedsALabelWithASurface) {
