@@ -16,6 +16,7 @@ namespace {
 
 /// What one patient came to, kept in its folder; nothing where the user interrupted it.
 std::optional<PatientOutcome> outcomeOf(const CohortToEvaluate& cohort, const CohortEntry& entry, const ExecutionContext& context) {
+  removeOutcome(cohort.folder, entry);
   PatientOutcome outcome;
   try {
     const LabelToEvaluate label{.segmentation = entry.segmentation.string(),

@@ -145,6 +145,15 @@ std::optional<PatientOutcome> loadOutcome(const std::filesystem::path& folder, c
   }
 }
 
+void removeOutcome(const std::filesystem::path& folder, const CohortEntry& entry) {
+  const std::filesystem::path file = fileOf(folder, entry);
+  std::error_code error;
+  std::filesystem::remove(file, error);
+  if (error) {
+    throw InputError(file.string() + " cannot be removed (" + error.message() + "); choose another folder");
+  }
+}
+
 void saveOutcome(const std::filesystem::path& folder, const OutcomeSubject& subject, const PatientOutcome& outcome) {
   const std::filesystem::path file = fileOf(folder, subject.entry);
   std::error_code error;

@@ -26,6 +26,8 @@ struct OutcomeSubject {
 /// Nothing where the file is not there, unreadable, or of something else: of other options or methods, another line or another
 /// version. `folder` is DIR.
 std::optional<PatientOutcome> loadOutcome(const std::filesystem::path& folder, const OutcomeSubject& subject);
+/// Before the patient is evaluated anew: whatever becomes of that, the former outcome does not stand for it. Throws InputError.
+void removeOutcome(const std::filesystem::path& folder, const CohortEntry& entry);
 /// Makes the patient's folder where it is missing. Throws InputError.
 void saveOutcome(const std::filesystem::path& folder, const OutcomeSubject& subject, const PatientOutcome& outcome);
 

@@ -318,6 +318,16 @@ TEST_F(CliCohort, WithNobodyToTellOfWritesNoTables) {
   EXPECT_EQ(namesIn(folder.path() / "lab"), (Texts{"empty", "empty/outcome.json", "none", "none/outcome.json"}));
 }
 
+TEST(CliCohortInterrupt, TheFormerOutcomeDoesNotStandForARunThatIsLost) {
+  const TemporaryFolder folder;
+  const std::string list = writeList(folder, "name,segmentation,structure\nP1," + sampleSegmentation() + ",parenchyma\n");
+  fs::create_directories(folder.path() / "lab/P1");
+  std::ofstream(folder.path() / "lab/P1/outcome.json") << "{}";
+  const Finished finished = runProgram("glisson-cli", {"evaluate", "--cohort", list, "-o", folder / "lab"}, {}, 1.0);
+  EXPECT_EQ(finished.exitCode, 130) << finished.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "lab/P1/outcome.json"));
+}
+
 // ---- the list
 
 TEST(CliCohortList, OfSpreadsheetsAndOfPeopleIsReadAlike) {
