@@ -69,7 +69,9 @@ class Run {
       const std::lock_guard lock(mutex_);
       model.peakMemoryMb = memory_.growthMb();
     }
-    store_.save(model);
+    if (model.failure != kNoMemoryForModel) {
+      store_.save(model);
+    }
     models_[place] = std::move(model);
     ++made_;
   }

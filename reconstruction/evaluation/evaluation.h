@@ -19,6 +19,9 @@ struct ModelSeconds {
   [[nodiscard]] double total() const { return sample + solve + extract + decimate + smooth + simplify; }
 };
 
+/// Failure of a model that the memory did not suffice for: another run may make it.
+inline constexpr const char* kNoMemoryForModel = "There is not enough memory for this model; close other programs and try again.";
+
 /// One model as made and measured, or why it could not be.
 struct EvaluatedModel {
   ModelRecipe recipe;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <limits>
 #include <map>
+#include <new>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/model_mesh.h"
@@ -45,6 +46,18 @@ struct Other {
 std::string tooSmallFor(int depth, int usedDepth) {
   return "The label is too small for depth " + std::to_string(depth) + ": depth " + std::to_string(usedDepth) +
          " is the deepest that its voxels carry.";
+}
+
+/// What fails for one model is said in it; the others go on.
+template <typename Work>
+void attempt(std::string& failure, const Work& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    failure = error.what();
+  } catch (const std::bad_alloc&) {
+    failure = kNoMemoryForModel;
+  }
 }
 
 class Experiment {
@@ -91,17 +104,13 @@ Places Experiment::placesOf(std::initializer_list<ModelFamily> families) const {
 
 void Experiment::measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const {
   const auto start = Clock::now();
-  try {
-    model.measures = measureModel(mesh, model.recipe, reference_, context);
-  } catch (const Error& error) {
-    model.failure = error.what();
-  }
+  attempt(model.failure, [&] { model.measures = measureModel(mesh, model.recipe, reference_, context); });
   model.seconds.measure = secondsSince(start);
 }
 
 Poisson Experiment::poissonOfDepth(int depth, const ExecutionContext& context) const {
   Poisson made;
-  try {
+  attempt(made.failure, [&] {
     std::optional<ModelSeconds> best;
     for (int run = 0; run < options_.timings; ++run) {
       made.result = reconstructPoisson(mask_, geometry_, poissonOf({.depth = depth}, options_), context);
@@ -109,9 +118,7 @@ Poisson Experiment::poissonOfDepth(int depth, const ExecutionContext& context) c
                   {.sample = made.result.sampleSeconds, .solve = made.result.solveSeconds, .extract = made.result.extractSeconds});
     }
     made.seconds = *best;
-  } catch (const Error& error) {
-    made.failure = error.what();
-  }
+  });
   return made;
 }
 
@@ -140,12 +147,8 @@ void Experiment::finishPoisson(std::size_t place, const Poisson& poisson, const 
   const SurfaceMesh* mesh = &poisson.result.mesh;
   SurfaceMesh fewer;
   if (model.failure.empty() && simplify) {
-    try {
-      fewer = simplified(*mesh, model, context);
-      mesh = &fewer;
-    } catch (const Error& error) {
-      model.failure = error.what();
-    }
+    attempt(model.failure, [&] { fewer = simplified(*mesh, model, context); });
+    mesh = &fewer;
   }
   if (model.failure.empty()) {
     measure(*mesh, model, context);
@@ -218,7 +221,7 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
 
 Other Experiment::otherOf(const ModelRecipe& recipe, const ExecutionContext& context) const {
   Other made;
-  try {
+  attempt(made.failure, [&] {
     std::optional<ModelSeconds> best;
     for (int run = 0; run < options_.timings; ++run) {
       ModelMesh model = makeModelMesh(mask_, geometry_, recipe, options_, context);
@@ -231,9 +234,7 @@ Other Experiment::otherOf(const ModelRecipe& recipe, const ExecutionContext& con
     if (wanted != 0 && made.usedDepth != wanted) {
       made.failure = tooSmallFor(wanted, made.usedDepth);
     }
-  } catch (const Error& error) {
-    made.failure = error.what();
-  }
+  });
   return made;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 
 #include "reconstruction/errors.h"
@@ -209,6 +210,32 @@ TEST(Experiment, TimesTheSimplificationAsOftenAsTheRest) {
   const int once = simplifications(1);
   EXPECT_GT(once, 0);
   EXPECT_EQ(simplifications(3), 3 * once);
+}
+
+using Places = std::vector<std::size_t>;
+
+TEST(Experiment, AModelThatTheMemoryDoesNotSufficeForSaysSoAndTheOthersGoOn) {
+  const Body body = ellipsoid();
+  const std::vector<EvaluatedModel> whole = make(body, kFew);
+  const auto failed = [&](const std::string& phase) {
+    const ExecutionContext context([&](double /*done*/, std::string_view reached) {
+      if (reached == phase) {
+        throw std::bad_alloc();
+      }
+    });
+    Places places;
+    const std::vector<EvaluatedModel> models = make(body, kFew, {}, context);
+    for (std::size_t n = 0; n < models.size(); ++n) {
+      if (models[n].failure == kNoMemoryForModel && !models[n].measures) {
+        places.push_back(n);
+      } else {
+        EXPECT_EQ(withoutTimes(models[n]), withoutTimes(whole[n])) << phase << ", " << modelName(kFew[n]);
+      }
+    }
+    return places;
+  };
+  EXPECT_EQ(failed("simplify"), Places{1});
+  EXPECT_EQ(failed("solve"), (Places{1, 2, 4, 6})) << "all that solve Poisson's equation";
 }
 
 TEST(Experiment, NeedsALabelWithASurface) {
