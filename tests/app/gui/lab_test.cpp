@@ -312,6 +312,25 @@ TEST_F(LabTest, ADepthThatTheExperimentCouldNotMakeIsMeasuredByTheSliderUnderIts
   EXPECT_TRUE(lab().plot().pixelBeside(0).has_value());
 }
 
+TEST_F(LabTest, AfterAModelThatWasNotMadeTheSideShowsNothingAndItCanBeAskedForAgain) {
+  find<QSlider>("labDepth")->setValue(6);
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  ASSERT_NE(lab().side(0).surface().mesh, nullptr);
+  find<QSlider>("labDepth")->setValue(5);
+  jobs->cancelAll();
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  EXPECT_FALSE(lab().side(0).recipe().has_value());
+  EXPECT_TRUE(find<QLabel>("labNameA")->text().contains("click a model"));
+  EXPECT_EQ(lab().side(0).surface().mesh, nullptr);
+  EXPECT_EQ(lab().side(0).surface().errors, nullptr);
+  EXPECT_EQ(lab().side(0).reconstruction(), nullptr);
+  EXPECT_FALSE(lab().side(0).model().has_value() || lab().side(0).p95Mm().has_value());
+  EXPECT_TRUE(find<QLabel>("labNumbersA")->text().isEmpty());
+  find<QSlider>("labDepth")->setValue(6);
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  EXPECT_EQ(lab().side(0).recipe(), kDepth6);
+}
+
 TEST_F(LabTest, TheSurfaceComesFirstAndSaysThatItsErrorsFollow) {
   bool bare = false;
   QObject::connect(&lab().side(0), &LabSide::changed, window.get(), [&] {
