@@ -29,6 +29,7 @@ struct EvaluatedModel {
   std::optional<ModelMeasures> measures;
   std::string failure;  ///< one sentence where there are no measures
   ModelSeconds seconds;
+  /// How much the program grew while the model's surface was made; of MCSD, while the sweep's were until this one was measured.
   std::optional<double> peakMemoryMb;
 
   /// modelName() with the depth that was used; of a failed model, with the one that was asked for.

@@ -11,6 +11,7 @@
 #include "reconstruction/mesh/simplify.h"
 #include "reconstruction/methods/methods.h"
 #include "reconstruction/parallel.h"
+#include "reconstruction/peak_memory.h"
 
 namespace glisson {
 
@@ -31,6 +32,7 @@ void keepQuicker(std::optional<ModelSeconds>& best, const ModelSeconds& seconds)
 struct Poisson {
   PoissonResult result;
   ModelSeconds seconds;
+  std::optional<double> peakMemoryMb;
   std::string failure;
 };
 
@@ -39,6 +41,7 @@ struct Other {
   SurfaceMesh mesh;
   int usedDepth = 0;
   ModelSeconds seconds;
+  std::optional<double> peakMemoryMb;
   std::string failure;
 };
 
@@ -110,6 +113,7 @@ void Experiment::measure(const SurfaceMesh& mesh, EvaluatedModel& model, const E
 
 Poisson Experiment::poissonOfDepth(int depth, const ExecutionContext& context) const {
   Poisson made;
+  const PeakMemory memory;
   attempt(made.failure, [&] {
     std::optional<ModelSeconds> best;
     for (int run = 0; run < options_.timings; ++run) {
@@ -119,6 +123,7 @@ Poisson Experiment::poissonOfDepth(int depth, const ExecutionContext& context) c
     }
     made.seconds = *best;
   });
+  made.peakMemoryMb = memory.growthMb();
   return made;
 }
 
@@ -139,6 +144,7 @@ void Experiment::finishPoisson(std::size_t place, const Poisson& poisson, const 
   model.recipe = recipes_[place];
   model.usedDepth = poisson.result.usedDepth;
   model.seconds = poisson.seconds;
+  model.peakMemoryMb = poisson.peakMemoryMb;
   model.failure = poisson.failure;
   const bool simplify = model.recipe.family == ModelFamily::SimplifiedPsr;
   if (model.failure.empty() && !simplify && model.usedDepth != model.recipe.depth) {
@@ -200,6 +206,7 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
   if (places.empty()) {
     return;
   }
+  const PeakMemory memory;
   const double timedShare = 0.5 * (options_.timings - 1) / options_.timings;
   std::vector<McsdParameters> sets;
   sets.reserve(places.size());
@@ -213,6 +220,7 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
     keepQuicker(best[n], {.extract = made.extractSeconds, .decimate = made.decimateSeconds, .smooth = made.smoothSeconds});
     model.seconds = *best[n];
     measure(made.mesh, model, share);
+    model.peakMemoryMb = memory.growthMb();
     share.report(1.0, "measures");
     visit_(places[n], std::move(model));
   };
@@ -221,6 +229,7 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
 
 Other Experiment::otherOf(const ModelRecipe& recipe, const ExecutionContext& context) const {
   Other made;
+  const PeakMemory memory;
   attempt(made.failure, [&] {
     std::optional<ModelSeconds> best;
     for (int run = 0; run < options_.timings; ++run) {
@@ -235,6 +244,7 @@ Other Experiment::otherOf(const ModelRecipe& recipe, const ExecutionContext& con
       made.failure = tooSmallFor(wanted, made.usedDepth);
     }
   });
+  made.peakMemoryMb = memory.growthMb();
   return made;
 }
 
@@ -251,6 +261,7 @@ void Experiment::makeVariants(const Places& places, const ExecutionContext& cont
       model.recipe = recipes_[places[n]];
       model.usedDepth = made[n].usedDepth;
       model.seconds = made[n].seconds;
+      model.peakMemoryMb = made[n].peakMemoryMb;
       model.failure = made[n].failure;
       if (model.failure.empty()) {
         measure(made[n].mesh, model, context.range(0.5 + fraction(n), 0.5 + fraction(n + 1)));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -73,6 +74,7 @@ const std::vector<ModelRecipe> kFew{{.family = ModelFamily::Mcsd, .smoothing = 2
 
 std::string withoutTimes(EvaluatedModel model) {
   model.seconds = {};
+  model.peakMemoryMb.reset();
   return jsonOf(model, "");
 }
 
@@ -210,6 +212,25 @@ TEST(Experiment, TimesTheSimplificationAsOftenAsTheRest) {
   const int once = simplifications(1);
   EXPECT_GT(once, 0);
   EXPECT_EQ(simplifications(3), 3 * once);
+}
+
+TEST(Experiment, AModelsMemoryIsThatOfItsOwnMakingAndNotOfTheOneBefore) {
+  if (!std::ofstream("/proc/self/clear_refs")) {
+    GTEST_SKIP() << "the system keeps no high-water mark";
+  }
+  constexpr std::size_t kMuch = 200'000'000;
+  bool taken = false;
+  const ExecutionContext context([&](double /*done*/, std::string_view /*phase*/) {
+    if (!taken) {
+      taken = true;
+      EXPECT_EQ(std::vector<char>(kMuch, 'x')[kMuch / 2], 'x');
+    }
+  });
+  const std::vector<EvaluatedModel> models = make(ellipsoid(), {kFew[4], kFew[2], kFew[3], kFew[5], kFew[6]}, {}, context);
+  EXPECT_GT(models[0].peakMemoryMb.value_or(0), 190);
+  for (std::size_t n = 1; n < models.size(); ++n) {
+    EXPECT_LT(models[n].peakMemoryMb.value_or(1e9), 150) << modelName(models[n].recipe);
+  }
 }
 
 using Places = std::vector<std::size_t>;
