@@ -102,7 +102,7 @@ std::optional<Evaluation> evaluateLabel(const LabelToEvaluate& wanted, const Exe
   label.points = reference.pointCount();
   label.voxelVolumeMl = reference.voxelVolumeMl();
 
-  const ModelStore store(wanted.folder / "models", label);
+  ModelStore store(wanted.folder / "models", label);
   store.prepare();
   Run run(label, reference, store, wanted.recipes);
   run.loadKept();

@@ -43,11 +43,15 @@ ModelStore::ModelStore(std::filesystem::path folder, const EvaluatedLabel& label
 
 std::filesystem::path ModelStore::fileOf(const ModelRecipe& recipe) const { return folder_ / (modelId(recipe) + ".json"); }
 
-void ModelStore::prepare() const {
+void ModelStore::prepare() {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) {
     throw InputError(folder_.string() + " cannot be made (" + error.message() + "); choose another folder");
+  }
+  lock_ = FileLock(folder_);
+  if (lock_.isTaken()) {
+    throw InputError("another evaluate is at work in " + folder_.string() + "; wait for its end or choose another folder");
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
