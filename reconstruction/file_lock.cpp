@@ -30,7 +30,9 @@ FileLock::~FileLock() {
 }
 
 FileLock::FileLock(FileLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), writer_(std::exchange(other.writer_, false)), taken_(std::exchange(other.taken_, false)) {}
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      writer_(std::exchange(other.writer_, false)),
+      taken_(std::exchange(other.taken_, false)) {}
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);

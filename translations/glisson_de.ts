@@ -2821,6 +2821,10 @@
         <source>A note that names the patient is left out.</source>
         <translation>Eine Anmerkung, die den Patienten nennt, ist weggelassen.</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this model; close other programs and try again.</source>
+        <translation>Für dieses Modell reicht der Speicher nicht; schließen Sie andere Programme und versuchen Sie es erneut.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -3480,6 +3484,10 @@
     <message>
         <source>of the slider: no part of scores and fronts</source>
         <translation>vom Regler: nicht Teil von Bewertungen und Fronten</translation>
+    </message>
+    <message>
+        <source>front so far</source>
+        <translation>Front bisher</translation>
     </message>
 </context>
 <context>
@@ -4767,6 +4775,14 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Writes the ratings, and in a file beside them the numbers of all tests.</source>
         <translation>Schreibt die Beurteilungen und in eine Datei daneben die Zahlen aller Tests.</translation>
+    </message>
+    <message>
+        <source>Paired t-test over the grades by %1 alone: %2</source>
+        <translation>Gepaarter t-Test über die Stufen, nur %1: %2</translation>
+    </message>
+    <message>
+        <source>Models of one grade are paired: %1</source>
+        <translation>Gepaart sind Modelle einer Stufe: %1</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,7 @@ namespace {
 using Cells = std::vector<std::string>;
 
 enum Column : std::size_t { Name, Place, Model, Method, Subject, Counts, Value, Seconds, Seed, Repeats, Question, Grade, kColumns };
-constexpr std::array<const char*, kColumns> kNames{"rater",  "showing", "model", "method",  "subject", "counts",
+constexpr std::array<const char*, kColumns> kNames{"rater",  "showing", "model", "method",  "subject",  "counts",
                                                    "rating", "seconds", "seed",  "repeats", "question", "grade"};
 
 /// Reads lines of cells as a session and says which line is at fault.

@@ -429,8 +429,10 @@ TEST_F(RatingWindowTest, TheMenuOffersModelsOfBothMethodsOfTheOpenCase) {
   }
   rating->findChild<QPushButton*>("ratingShowResults")->click();
   const QString text = rating->findChild<QLabel*>("ratingResultsText")->text();
-  EXPECT_TRUE(text.contains("Paired t-test over the grades by Anna alone: difference -2.000, t = -2.000, df = 1.0")) << text.toStdString();
-  EXPECT_TRUE(text.contains("Models of one grade are paired: PSR d=5 / MCSD s=90 e=80 %; PSR d=6 / MCSD s=67 e=60 %")) << text.toStdString();
+  EXPECT_TRUE(text.contains("Paired t-test over the grades by Anna alone: difference -2.000, t = -2.000, df = 1.0"))
+      << text.toStdString();
+  EXPECT_TRUE(text.contains("Models of one grade are paired: PSR d=5 / MCSD s=90 e=80 %; PSR d=6 / MCSD s=67 e=60 %"))
+      << text.toStdString();
 }
 
 }  // namespace
