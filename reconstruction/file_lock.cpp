@@ -20,6 +20,7 @@ FileLock::FileLock(const std::filesystem::path& path) {
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   }
   writer_ = writable && descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+  taken_ = writable && !writer_ && errno == EWOULDBLOCK;
 }
 
 FileLock::~FileLock() {
@@ -29,11 +30,14 @@ FileLock::~FileLock() {
 }
 
 FileLock::FileLock(FileLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), writer_(std::exchange(other.writer_, false)) {}
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      writer_(std::exchange(other.writer_, false)),
+      taken_(std::exchange(other.taken_, false)) {}
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   std::swap(writer_, other.writer_);
+  std::swap(taken_, other.taken_);
   return *this;
 }
 

@@ -21,12 +21,15 @@ class FileLock {
   [[nodiscard]] bool isOpen() const { return descriptor_ >= 0; }
   /// This object is the writer.
   [[nodiscard]] bool isWriter() const { return writer_; }
+  /// Somebody else is. Where neither is told, the file cannot be locked: it is read-only, or its file system knows no locks.
+  [[nodiscard]] bool isTaken() const { return taken_; }
   /// `path` still names the file that was opened.
   [[nodiscard]] bool holds(const std::filesystem::path& path) const;
 
  private:
   int descriptor_ = -1;
   bool writer_ = false;
+  bool taken_ = false;
 };
 
 /// Removes the temporary files and folders directly in `folder` that a killed program left: those that isTemporary(name) knows and

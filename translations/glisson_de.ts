@@ -2825,6 +2825,10 @@
         <source>The change is in no file: save the case under another name.</source>
         <translation>Die Änderung steht in keiner Datei: speichern Sie den Fall unter einem anderen Namen.</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this model; close other programs and try again.</source>
+        <translation>Für dieses Modell reicht der Speicher nicht; schließen Sie andere Programme und versuchen Sie es erneut.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -3488,6 +3492,10 @@
     <message>
         <source>of the slider: no part of scores and fronts</source>
         <translation>vom Regler: nicht Teil von Bewertungen und Fronten</translation>
+    </message>
+    <message>
+        <source>front so far</source>
+        <translation>Front bisher</translation>
     </message>
 </context>
 <context>
@@ -4792,6 +4800,14 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>Writes the ratings, and in a file beside them the numbers of all tests.</source>
         <translation>Schreibt die Beurteilungen und in eine Datei daneben die Zahlen aller Tests.</translation>
     </message>
+    <message>
+        <source>Paired t-test over the grades by %1 alone: %2</source>
+        <translation>Gepaarter t-Test über die Stufen, nur %1: %2</translation>
+    </message>
+    <message>
+        <source>Models of one grade are paired: %1</source>
+        <translation>Gepaart sind Modelle einer Stufe: %1</translation>
+    </message>
 </context>
 <context>
     <name>glisson::RatingWindow</name>
@@ -5185,6 +5201,13 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Notes on the input and the surfaces</source>
         <translation>Anmerkungen zu Eingabe und Oberflächen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ReportWriter</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@ namespace {
 
 /// What one patient came to, kept in its folder; nothing where the user interrupted it.
 std::optional<PatientOutcome> outcomeOf(const CohortToEvaluate& cohort, const CohortEntry& entry, const ExecutionContext& context) {
+  removeOutcome(cohort.folder, entry);
   PatientOutcome outcome;
   try {
     const LabelToEvaluate label{.segmentation = entry.segmentation.string(),
@@ -37,7 +38,7 @@ std::optional<PatientOutcome> outcomeOf(const CohortToEvaluate& cohort, const Co
   } catch (const std::exception& error) {
     outcome.failure = error.what();
   }
-  saveOutcome(cohort.folder, entry, cohort.options, outcome);
+  saveOutcome(cohort.folder, {entry, cohort.options, cohort.recipes}, outcome);
   return outcome;
 }
 
@@ -47,7 +48,7 @@ GatheredCohort gathered(const CohortToEvaluate& cohort) {
   all.options = cohort.options;
   std::vector<PatientFigures> figures;
   for (const CohortEntry& entry : cohort.list.entries) {
-    all.patients.push_back({entry, loadOutcome(cohort.folder, entry, cohort.options)});
+    all.patients.push_back({entry, loadOutcome(cohort.folder, {entry, cohort.options, cohort.recipes})});
     if (all.patients.back().state() == PatientState::Evaluated) {
       figures.push_back(all.patients.back().outcome->figures);
     }

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 
 #include "app/cli/evaluate_summary.h"
+#include "app/cli/model_store.h"
 #include "planning/exchange/atomic_file.h"
 #include "planning/exchange/version.h"
 #include "reconstruction/errors.h"
@@ -88,10 +90,23 @@ PatientFigures figuresOf(const Json& json) {
   return figures;
 }
 
-/// What the outcome is of.
-Json subjectOf(const CohortEntry& entry, const ExperimentOptions& options) {
+/// Those beside the published ones, however the flag named them.
+Json otherMethodsOf(const std::vector<ModelRecipe>& recipes) {
+  std::set<std::string_view> methods;
+  for (const ModelRecipe& recipe : recipes) {
+    if (recipe.family == ModelFamily::Other) {
+      methods.insert(methodId(recipe));
+    }
+  }
+  return methods;
+}
+
+Json jsonOf(const OutcomeSubject& subject) {
+  const CohortEntry& entry = subject.entry;
   return {{"program", "glisson " + std::string(glissonVersion())},
-          {"parameters", parametersJson(options)},
+          {"models", kModelsVersion},
+          {"parameters", parametersJson(subject.options)},
+          {"methods", otherMethodsOf(subject.recipes)},
           {"segmentation", entry.listedSegmentation},
           {"label", entry.choice.label ? Json(*entry.choice.label) : Json(nullptr)},
           {"structure", entry.choice.structure},
@@ -106,16 +121,15 @@ std::filesystem::path fileOf(const std::filesystem::path& folder, const CohortEn
 
 }  // namespace
 
-std::optional<PatientOutcome> loadOutcome(const std::filesystem::path& folder, const CohortEntry& entry,
-                                          const ExperimentOptions& options) {
-  const std::filesystem::path file = fileOf(folder, entry);
+std::optional<PatientOutcome> loadOutcome(const std::filesystem::path& folder, const OutcomeSubject& subject) {
+  const std::filesystem::path file = fileOf(folder, subject.entry);
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
     return std::nullopt;
   }
   try {
     const Json json = Json::parse(readWholeFile(file));
-    if (textOf(json.at("of")) != textOf(subjectOf(entry, options))) {
+    if (textOf(json.at("of")) != textOf(jsonOf(subject))) {
       return std::nullopt;
     }
     PatientOutcome outcome;
@@ -131,16 +145,24 @@ std::optional<PatientOutcome> loadOutcome(const std::filesystem::path& folder, c
   }
 }
 
-void saveOutcome(const std::filesystem::path& folder, const CohortEntry& entry, const ExperimentOptions& options,
-                 const PatientOutcome& outcome) {
+void removeOutcome(const std::filesystem::path& folder, const CohortEntry& entry) {
   const std::filesystem::path file = fileOf(folder, entry);
+  std::error_code error;
+  std::filesystem::remove(file, error);
+  if (error) {
+    throw InputError(file.string() + " cannot be removed (" + error.message() + "); choose another folder");
+  }
+}
+
+void saveOutcome(const std::filesystem::path& folder, const OutcomeSubject& subject, const PatientOutcome& outcome) {
+  const std::filesystem::path file = fileOf(folder, subject.entry);
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
   if (error) {
     throw InputError(file.parent_path().string() + " cannot be made (" + error.message() + "); choose another folder");
   }
   Json json;
-  json["of"] = subjectOf(entry, options);
+  json["of"] = jsonOf(subject);
   json["failure"] = outcome.failure;
   json["figures"] = outcome.failure.empty() ? jsonOf(outcome.figures) : Json(nullptr);
   writeFileAtomically(file, textOf(json) + "\n");

@@ -16,12 +16,19 @@ struct PatientOutcome {
   PatientFigures figures;
 };
 
-/// Nothing where the file is not there, unreadable, or of something else: of other options, another line or another version.
-/// `folder` is DIR; the entry has the flags of the command where its line leaves them empty.
-std::optional<PatientOutcome> loadOutcome(const std::filesystem::path& folder, const CohortEntry& entry,
-                                          const ExperimentOptions& options);
+/// What an outcome is of.
+struct OutcomeSubject {
+  const CohortEntry& entry;  ///< with the flags of the command where its line leaves them empty
+  const ExperimentOptions& options;
+  const std::vector<ModelRecipe>& recipes;
+};
+
+/// Nothing where the file is not there, unreadable, or of something else: of other options or methods, another line or another
+/// version. `folder` is DIR.
+std::optional<PatientOutcome> loadOutcome(const std::filesystem::path& folder, const OutcomeSubject& subject);
+/// Before the patient is evaluated anew: whatever becomes of that, the former outcome does not stand for it. Throws InputError.
+void removeOutcome(const std::filesystem::path& folder, const CohortEntry& entry);
 /// Makes the patient's folder where it is missing. Throws InputError.
-void saveOutcome(const std::filesystem::path& folder, const CohortEntry& entry, const ExperimentOptions& options,
-                 const PatientOutcome& outcome);
+void saveOutcome(const std::filesystem::path& folder, const OutcomeSubject& subject, const PatientOutcome& outcome);
 
 }  // namespace glisson::cli

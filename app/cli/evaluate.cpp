@@ -115,7 +115,8 @@ void addEvaluate(CLI::App& app, Action& chosen) {
       ->capture_default_str();
   command->add_flag("--as-published", flags->asPublished, "PSR's cube at the authors' scale of 1.25");
   command->add_flag("--best-of-three", flags->bestOfThree, "Time each model three times and keep the quickest, as the paper does");
-  addInteger(*command, "--threads", flags->threads, "Threads; 0 is all cores");
+  // The last one holds: a job script's own stands before the user's.
+  addInteger(*command, "--threads", flags->threads, "Threads; 0 is all cores")->take_last();
   addInputFlags(*command, flags->input);
   command->callback([flags, task, &chosen] {
     flags->alone = task->count() > 0;

@@ -2,12 +2,10 @@
 
 #include <atomic>
 #include <iostream>
-#include <mutex>
 
 #include "app/cli/evaluate_html.h"
 #include "app/cli/evaluate_summary.h"
 #include "app/cli/model_store.h"
-#include "app/cli/peak_memory.h"
 #include "planning/exchange/atomic_file.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/experiment.h"
@@ -63,13 +61,10 @@ class Run {
   [[nodiscard]] std::size_t made() const { return made_; }
 
  private:
-  /// The memory is the program's: of the models made until now, which is more than one at a time.
   void take(std::size_t place, EvaluatedModel model) {
-    {
-      const std::lock_guard lock(mutex_);
-      model.peakMemoryMb = memory_.growthMb();
+    if (model.failure != kNoMemoryForModel) {
+      store_.save(model);
     }
-    store_.save(model);
     models_[place] = std::move(model);
     ++made_;
   }
@@ -81,8 +76,6 @@ class Run {
   std::vector<std::optional<EvaluatedModel>> models_ = std::vector<std::optional<EvaluatedModel>>(recipes_.size());
   std::vector<std::size_t> missing_;
   std::atomic<std::size_t> made_{0};
-  std::mutex mutex_;
-  PeakMemory memory_;
 };
 
 void writeResults(const std::filesystem::path& folder, const EvaluatedLabel& label, const Evaluation& evaluation) {
@@ -109,7 +102,7 @@ std::optional<Evaluation> evaluateLabel(const LabelToEvaluate& wanted, const Exe
   label.points = reference.pointCount();
   label.voxelVolumeMl = reference.voxelVolumeMl();
 
-  const ModelStore store(wanted.folder / "models", label);
+  ModelStore store(wanted.folder / "models", label);
   store.prepare();
   Run run(label, reference, store, wanted.recipes);
   run.loadKept();

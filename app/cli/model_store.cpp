@@ -13,16 +13,13 @@ namespace glisson::cli {
 
 namespace {
 
-/// To be raised where a model's numbers change and the program's version does not.
-constexpr int kStoreVersion = 1;
-
 std::string textOf(const Index3& index) {
   return std::to_string(index[0]) + " " + std::to_string(index[1]) + " " + std::to_string(index[2]) + "\n";
 }
 
 std::string keyOf(const EvaluatedLabel& label) {
   const Mask& mask = *label.chosen.mask;
-  std::string facts = "glisson " + std::string(glissonVersion()) + " models " + std::to_string(kStoreVersion) + "\n";
+  std::string facts = "glisson " + std::string(glissonVersion()) + " models " + std::to_string(kModelsVersion) + "\n";
   facts += label.options.sampling == Sampling::Paper ? "paper " : "unbiased ";
   facts += formatExact(label.options.scale) + " " + std::to_string(label.options.timings) + "\n";
   facts += textOf(label.geometry.size) + textOf(mask.box().first) + textOf(mask.box().size);
@@ -46,11 +43,15 @@ ModelStore::ModelStore(std::filesystem::path folder, const EvaluatedLabel& label
 
 std::filesystem::path ModelStore::fileOf(const ModelRecipe& recipe) const { return folder_ / (modelId(recipe) + ".json"); }
 
-void ModelStore::prepare() const {
+void ModelStore::prepare() {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) {
     throw InputError(folder_.string() + " cannot be made (" + error.message() + "); choose another folder");
+  }
+  lock_ = FileLock(folder_);
+  if (lock_.isTaken()) {
+    throw InputError("another evaluate is at work in " + folder_.string() + "; wait for its end or choose another folder");
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();

@@ -8,8 +8,12 @@
 #include <string>
 
 #include "app/cli/evaluated_label.h"
+#include "reconstruction/file_lock.h"
 
 namespace glisson::cli {
+
+/// To be raised where a model's numbers change and the program's version does not: of models and of outcomes made of them.
+inline constexpr int kModelsVersion = 2;
 
 class ModelStore {
  public:
@@ -17,8 +21,9 @@ class ModelStore {
   ModelStore(std::filesystem::path folder, const EvaluatedLabel& label);
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  /// Makes the folder where it is missing, and removes what a killed run left half written. Throws InputError.
-  void prepare() const;
+  /// Makes the folder where it is missing, and removes what a killed run left half written; no other run can prepare it until this
+  /// store is gone. Throws InputError.
+  void prepare();
   /// Nothing where the model is not there, of another key or unreadable.
   [[nodiscard]] std::optional<EvaluatedModel> load(const ModelRecipe& recipe) const;
   /// Thread-safe for different models. Throws InputError.
@@ -29,6 +34,7 @@ class ModelStore {
 
   std::filesystem::path folder_;
   std::string key_;
+  FileLock lock_;
 };
 
 }  // namespace glisson::cli

@@ -5,13 +5,13 @@
 
 #include "app/cli/choose.h"
 #include "app/cli/command.h"
-#include "app/cli/peak_memory.h"
 #include "app/cli/reconstruct_flags.h"
 #include "app/cli/report.h"
 #include "planning/exchange/atomic_file.h"
 #include "planning/exchange/mesh_files.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/parallel.h"
+#include "reconstruction/peak_memory.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {

@@ -12,7 +12,7 @@ namespace glisson {
 
 struct LabRow {
   const EvaluatedModel* model = nullptr;
-  const ModelScore* score = nullptr;  ///< null: it has none
+  const ModelScore* score = nullptr;  ///< null: it has none, or no final one
   double voxelVolumeMl = 0;
 };
 

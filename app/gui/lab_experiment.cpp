@@ -58,6 +58,7 @@ void LabExperiment::run(const std::vector<ModelFamily>& families, const QString&
   request.process = [subject = subject_, options = options_, recipes, arrived = arrived_](const ExecutionContext& context) {
     const EvaluationReference& reference = subject->reference(context.range(0.0, 0.05));
     const auto visit = [&](std::size_t /*place*/, EvaluatedModel model) {
+      model.peakMemoryMb.reset();  // the window's other work is in it
       const std::lock_guard lock(arrived->mutex);
       arrived->models.push_back(std::move(model));
     };

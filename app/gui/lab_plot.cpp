@@ -188,10 +188,12 @@ void LabPlot::drawLegend(QPainter& painter) const {
       painter.setPen(frontPen(published));
       painter.drawLine(QPointF(x, y), QPointF(x + 22, y));
       x += 28;
-      write(published ? tr("front") : tr("front of simplified PSR"));
+      write(published ? frontName() : tr("front of simplified PSR"));
     }
   }
 }
+
+QString LabPlot::frontName() const { return evaluation_.publishedComplete ? tr("front") : tr("front so far"); }
 
 void LabPlot::drawBeside(QPainter& painter) const {
   for (const lab::Pixel& at : figure_.beside) {
@@ -265,11 +267,11 @@ void LabPlot::mouseMoveEvent(QMouseEvent* event) {
   setCursor(markAt(event->position()) != nullptr ? Qt::PointingHandCursor : Qt::ArrowCursor);
 }
 
-QString LabPlot::tooltipOf(const EvaluatedModel& model, const std::optional<ModelScore>& score) const {
+QString LabPlot::tooltipOf(const EvaluatedModel& model, const ModelScore* score) const {
   QStringList lines{QString::fromStdString(model.name()),
                     tr("%1 triangles").arg(numberText(static_cast<double>(model.measures->triangles), 0)),
                     tr("mean paper error %1 mm").arg(numberText(model.measures->paperErrorMm.mean, 3))};
-  if (score) {
+  if (score != nullptr) {
     lines << tr("score %1").arg(numberText(score->score, 3));
     if (score->pareto) {
       lines << tr("on the front");
@@ -287,9 +289,9 @@ bool LabPlot::event(QEvent* event) {
     };
     const std::optional<EvaluatedModel>& beside = near(0) ? beside_[0] : beside_[1];
     if (const lab::FigureMark* mark = markAt(help->pos())) {
-      QToolTip::showText(help->globalPos(), tooltipOf(evaluation_.models[mark->place], evaluation_.scores[mark->place]), this);
+      QToolTip::showText(help->globalPos(), tooltipOf(evaluation_.models[mark->place], evaluation_.finalScore(mark->place)), this);
     } else if (near(0) || near(1)) {
-      QToolTip::showText(help->globalPos(), tooltipOf(*beside, {}) + '\n' + tr("of the slider: no part of scores and fronts"),
+      QToolTip::showText(help->globalPos(), tooltipOf(*beside, nullptr) + '\n' + tr("of the slider: no part of scores and fronts"),
                          this);
     } else {
       QToolTip::hideText();

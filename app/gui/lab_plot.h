@@ -30,6 +30,8 @@ class LabPlot : public Translated<QWidget> {
   [[nodiscard]] std::optional<QPointF> pixelOf(std::size_t place) const;
   /// Likewise of the slider's model on that side.
   [[nodiscard]] std::optional<QPointF> pixelBeside(std::size_t side) const;
+  /// What the legend calls the published front: one so far until all published models are there or failed.
+  [[nodiscard]] QString frontName() const;
   /// The plot alone, twice as fine as on the screen.
   [[nodiscard]] QImage picture() const;
   [[nodiscard]] QSize sizeHint() const override { return {640, 260}; }
@@ -54,7 +56,7 @@ class LabPlot : public Translated<QWidget> {
   [[nodiscard]] const lab::FigureMark* markAt(const QPointF& pixel) const;
   void drawBeside(QPainter& painter) const;
   void drawLetters(QPainter& painter) const;
-  [[nodiscard]] QString tooltipOf(const EvaluatedModel& model, const std::optional<ModelScore>& score) const;
+  [[nodiscard]] QString tooltipOf(const EvaluatedModel& model, const ModelScore* score) const;
 
   Evaluation evaluation_;
   lab::AccuracyFigure figure_;

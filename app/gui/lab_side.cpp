@@ -25,9 +25,7 @@ LabSide::LabSide(JobRunner& jobs, QString letter, QObject* parent) : QObject(par
   connect(&late_, &QTimer::timeout, this, &LabSide::changed);
   connect(&jobs_, &JobRunner::jobEnded, this, [this](JobId id, JobState state) {
     if (id == running_[0] && state != JobState::Done) {
-      recipe_.reset();  // so that it can be asked for again
-      pending_ = false;
-      late_.stop();
+      showNothing();  // so that it can be asked for again
       emit changed();
     } else if (state != JobState::Done && (id == running_[1] || id == running_[2])) {
       running_[id == running_[1] ? 1 : 2] = 0;
@@ -42,6 +40,11 @@ void LabSide::setSubject(std::shared_ptr<const lab::LabSubject> subject, const E
   }
   subject_ = std::move(subject);
   options_ = options;
+  showNothing();
+  emit changed();
+}
+
+void LabSide::showNothing() {
   recipe_.reset();
   surface_ = {};
   reconstruction_.reset();
@@ -49,7 +52,6 @@ void LabSide::setSubject(std::shared_ptr<const lab::LabSubject> subject, const E
   model_.reset();
   pending_ = false;
   late_.stop();
-  emit changed();
 }
 
 JobRequest LabSide::request(const char* stage, const QString& title) {

@@ -50,6 +50,7 @@ class LabSide : public QObject {
   /// On a worker.
   static Made make(const lab::LabSubject& subject, const ModelRecipe& recipe, const ExperimentOptions& options,
                    const ExecutionContext& context);
+  void showNothing();
   void take(const Made& made, bool measured);
   void colour();
   void measure();

@@ -28,8 +28,7 @@ int LabTableModel::columnCount(const QModelIndex& parent) const { return parent.
 
 LabRow LabTableModel::rowAt(int row) const {
   const auto place = static_cast<std::size_t>(row);
-  const std::optional<ModelScore>& score = evaluation_.scores[place];
-  return {&evaluation_.models[place], score ? &*score : nullptr, voxelVolumeMl_};
+  return {&evaluation_.models[place], evaluation_.finalScore(place), voxelVolumeMl_};
 }
 
 QVariant LabTableModel::data(const QModelIndex& index, int role) const {

@@ -133,7 +133,12 @@ void LabWorkspace::choose(std::size_t place, std::size_t side) {
 
 void LabWorkspace::showDepth(int depth) {
   const ModelRecipe recipe{.family = ModelFamily::Psr, .depth = depth};
-  sides_[setup_->depthSide()]->show(recipe, experiment_->placeOf(recipe).has_value());
+  sides_[setup_->depthSide()]->show(recipe, measuredPlaceOf(recipe).has_value());
+}
+
+std::optional<std::size_t> LabWorkspace::measuredPlaceOf(const ModelRecipe& recipe) const {
+  const auto place = experiment_->placeOf(recipe);
+  return place && experiment_->evaluation().models[*place].measures ? place : std::nullopt;
 }
 
 void LabWorkspace::refresh() {
@@ -155,10 +160,9 @@ void LabWorkspace::refreshNumbers() {
     if (!shown.recipe() || shown.pending()) {
       continue;
     }
-    chosen[side] = experiment_->placeOf(*shown.recipe());
+    chosen[side] = measuredPlaceOf(*shown.recipe());
     if (chosen[side]) {
-      const std::optional<ModelScore>& score = evaluation.scores[*chosen[side]];
-      rows[side] = {&evaluation.models[*chosen[side]], score ? &*score : nullptr, voxelMl};
+      rows[side] = {&evaluation.models[*chosen[side]], evaluation.finalScore(*chosen[side]), voxelMl};
     } else if (shown.model()) {
       rows[side] = {&*shown.model(), nullptr, voxelMl};
       beside[side] = shown.model()->measures ? shown.model() : std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 
 #include "app/gui/document.h"
 #include "app/gui/translated.h"
@@ -50,6 +51,8 @@ class LabWorkspace : public Translated<QWidget> {
   void takeSubject();
   void choose(std::size_t place, std::size_t side);
   void showDepth(int depth);
+  /// Of a model that the experiment has measured: one that it could not make is the side's own.
+  [[nodiscard]] std::optional<std::size_t> measuredPlaceOf(const ModelRecipe& recipe) const;
   void refresh();
   void refreshNumbers();
   /// Asks for a file, then writes it.

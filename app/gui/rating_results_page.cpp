@@ -47,9 +47,23 @@ QString tableOf(const std::vector<MethodRatings>& methods) {
   for (const MethodRatings& method : methods) {
     table += QStringLiteral("</tr><tr>") + cell(QString::fromStdString(method.method), false) +
              cell(QString::number(method.ratings.size()), true) + cell(numberText(method.spread.mean, 3), true) +
-             cell(numberText(method.spread.deviation, 3), true) + cell(numberText(method.box.median, 0), true);
+             cell(numberText(method.spread.deviation, 3), true) + cell(numberText(method.box.median, 1), true);
   }
   return table + QStringLiteral("</tr></table>");
+}
+
+QString withinText(const MethodComparison& comparison, const RaterTest& rater) {
+  const QString text = comparison.grades.empty() ? RatingResultsPage::tr("Paired t-test over the patients by %1 alone: %2")
+                                                 : RatingResultsPage::tr("Paired t-test over the grades by %1 alone: %2");
+  return text.arg(QString::fromStdString(rater.rater), testText(rater.test));
+}
+
+QString gradesText(const MethodComparison& comparison) {
+  QStringList grades;
+  for (const std::string& grade : comparison.grades) {
+    grades << QString::fromStdString(grade);
+  }
+  return RatingResultsPage::tr("Models of one grade are paired: %1").arg(grades.join(QStringLiteral("; ")));
 }
 
 QString comparisonText(const MethodComparison& comparison) {
@@ -61,8 +75,10 @@ QString comparisonText(const MethodComparison& comparison) {
   text += item(RatingResultsPage::tr("Welch's t-test of all ratings: %1").arg(testText(comparison.pooled)));
   text += item(RatingResultsPage::tr("Paired t-test over the raters' means: %1").arg(testText(comparison.overRaters)));
   for (const RaterTest& rater : comparison.withinRaters) {
-    text += item(RatingResultsPage::tr("Paired t-test over the patients by %1 alone: %2")
-                     .arg(QString::fromStdString(rater.rater), testText(rater.test)));
+    text += item(withinText(comparison, rater));
+  }
+  if (!comparison.grades.empty()) {
+    text += item(gradesText(comparison));
   }
   return text + QStringLiteral("</ul>");
 }

@@ -36,6 +36,15 @@ std::vector<RatedModel> modelsOf(const std::vector<RatedSurface>& surfaces) {
   return models;
 }
 
+/// A session of an earlier version knows no grades: those of the same models here hold.
+void addGrades(std::vector<RatedModel>& read, const std::vector<RatedModel>& here) {
+  for (std::size_t n = 0; n < std::min(read.size(), here.size()); ++n) {
+    if (read[n].grade.empty()) {
+      read[n].grade = here[n].grade;
+    }
+  }
+}
+
 /// The name tells nothing of the models.
 QString newFile(const QString& folder) {
   const QDir place(folder);
@@ -284,7 +293,9 @@ void RatingWindow::showResults() {
 void RatingWindow::resume(const QString& path) {
   const std::string file = QDir::toNativeSeparators(path).toStdString();
   RatingSession read = ratingSessionOfCsv(readWholeFile(file), file);
-  if (read.study.models != ratingStudy({}, modelsOf(surfaces_), 0).models) {
+  const std::vector<RatedModel> here = modelsOf(surfaces_);
+  addGrades(read.study.models, here);
+  if (read.study.models != here) {
     throw InputError("\"" + file + "\" rates other models than these; open the case and the structure that it was begun with.");
   }
   session_ = std::move(read);

@@ -37,6 +37,7 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence",
                            "The label has no surface to measure errors from: none of its voxels has a gradient; choose another.")},
     {"nn", QT_TRANSLATE_NOOP("Sentence", "The label is too small for depth %1: depth %2 is the deepest that its voxels carry.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "There is not enough memory for this model; close other programs and try again.")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "The number of timed runs is %1; choose 1 to 100.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The cutting plane has no direction; place it again.")},
     {"s", QT_TRANSLATE_NOOP("Sentence", "The mesh cannot be cut because it has defects (%1); reconstruct it again.")},

@@ -9,14 +9,21 @@ namespace glisson {
 
 namespace {
 
-std::vector<ModelRecipe> ratedRecipes() {
-  std::vector<ModelRecipe> recipes;
-  for (int depth = 5; depth <= kDeepestPublished; ++depth) {
-    recipes.push_back({.family = ModelFamily::Psr, .depth = depth});
-  }
-  // one of each smoothing, from nearly raw to strongly reduced
+struct GradedRecipe {
+  ModelRecipe recipe;
+  std::string grade;
+};
+
+/// A depth of PSR and a smoothing of MCSD for each grade, from nearly raw to strongly reduced.
+std::vector<GradedRecipe> ratedRecipes() {
+  std::vector<GradedRecipe> recipes;
+  int depth = kDeepestPublished;
   for (const auto& [smoothing, percent] : {std::pair(22, 20), std::pair(45, 40), std::pair(67, 60), std::pair(90, 80)}) {
-    recipes.push_back({.family = ModelFamily::Mcsd, .smoothing = smoothing, .decimationPercent = percent});
+    const ModelRecipe psr{.family = ModelFamily::Psr, .depth = depth--};
+    const ModelRecipe mcsd{.family = ModelFamily::Mcsd, .smoothing = smoothing, .decimationPercent = percent};
+    for (const ModelRecipe& recipe : {psr, mcsd}) {
+      recipes.push_back({recipe, modelName(psr) + " / " + modelName(mcsd)});
+    }
   }
   return recipes;
 }
@@ -35,7 +42,7 @@ std::vector<RatedSurface> makeSurfaces(const Case& content, const Structure& str
                                        const ExecutionContext& context) {
   const Mask& mask = maskOf(content, structure);
   const ImageGeometry& geometry = content.segmentation->geometry;
-  const std::vector<ModelRecipe> recipes = ratedRecipes();
+  const std::vector<GradedRecipe> recipes = ratedRecipes();
   LiverModel others = *content.model;
   std::erase_if(others.structures, [&](const Structure& other) { return other.id == structure.id; });
   const RatedSurroundings surroundings = surroundingsOf(others);
@@ -43,13 +50,14 @@ std::vector<RatedSurface> makeSurfaces(const Case& content, const Structure& str
   for (std::size_t n = 0; n < recipes.size(); ++n) {
     const auto at = [&](std::size_t done) { return static_cast<double>(done) / static_cast<double>(recipes.size()); };
     const ExecutionContext share = context.range(at(n), at(n + 1));
-    ModelMesh made = makeModelMesh(mask, geometry, recipes[n], options, share);
-    if (made.usedDepth < recipes[n].depth) {
+    const auto& [recipe, grade] = recipes[n];
+    ModelMesh made = makeModelMesh(mask, geometry, recipe, options, share);
+    if (made.usedDepth < recipe.depth) {
       continue;  // the voxels carry no more: it would be the last one again
     }
-    const std::string method = recipes[n].family == ModelFamily::Mcsd ? "MCSD" : "PSR";
+    const std::string method = recipe.family == ModelFamily::Mcsd ? "MCSD" : "PSR";
     surfaces.push_back(
-        ratedSurface({idOf(content, structure, recipes[n], options), method, content.code}, std::move(made.mesh), surroundings));
+        ratedSurface({idOf(content, structure, recipe, options), method, content.code, grade}, std::move(made.mesh), surroundings));
   }
   return surfaces;
 }

@@ -61,10 +61,10 @@ class Labels {
   std::vector<Box> marks_;
 };
 
-std::string tooltipOf(const EvaluatedModel& model, const std::optional<ModelScore>& score) {
+std::string tooltipOf(const EvaluatedModel& model, const ModelScore* score) {
   return model.name() + ": " + tickText(static_cast<double>(model.measures->triangles)) + " triangles, mean error " +
          formatNumber(model.measures->paperErrorMm.mean, 3) + " mm" +
-         (score ? ", score " + formatNumber(score->score, 3) + (score->pareto ? ", on the front" : "") : std::string());
+         (score != nullptr ? ", score " + formatNumber(score->score, 3) + (score->pareto ? ", on the front" : "") : std::string());
 }
 
 std::string legend(const Evaluation& evaluation) {
@@ -82,7 +82,8 @@ std::string legend(const Evaluation& evaluation) {
     content += svgMark(look.mark, {x, y}, 5, look.style, "") + svgText({x + 11, y + 4}, look.name, "start", "tick");
     x += 44 + 5.8 * static_cast<double>(std::string_view(look.name).size());
   }
-  for (const auto& [style, name] : {std::pair("front", "front of PSR and MCSD"), std::pair("front2", "of simplified PSR")}) {
+  const char* front = evaluation.publishedComplete ? "front of PSR and MCSD" : "front so far";
+  for (const auto& [style, name] : {std::pair("front", front), std::pair("front2", "of simplified PSR")}) {
     content += svgLine({x, y}, {x + 24, y}, style) + svgText({x + 30, y + 4}, name, "start", "tick");
     x += 50 + 6.4 * static_cast<double>(std::string_view(name).size());
   }
@@ -116,7 +117,7 @@ std::string accuracySvg(const Evaluation& evaluation) {
   Labels labels(kRight, kBottom);
   for (const FigureMark& mark : figure.marks) {
     content += svgMark(mark.look.mark, mark.at, mark.radius, mark.look.style,
-                       tooltipOf(evaluation.models[mark.place], evaluation.scores[mark.place]));
+                       tooltipOf(evaluation.models[mark.place], evaluation.finalScore(mark.place)));
     labels.avoid(mark.at);
   }
   for (const auto& [role, place] : {std::pair("best PSR", evaluation.bestPsr),
@@ -124,7 +125,7 @@ std::string accuracySvg(const Evaluation& evaluation) {
                                     {"most similar", evaluation.mostSimilar},
                                     {"best simplified", evaluation.bestSimplified},
                                     {"best other", evaluation.bestOther}}) {
-    if (place) {
+    if (place && evaluation.publishedComplete) {
       const Pixel at = figure.markOf(*place)->at;
       content += svgMark(Mark::Circle, at, 10, "ring", "");
       content += labels.place(at, std::string(role) + ": " + evaluation.models[*place].name());

@@ -50,6 +50,13 @@ std::optional<std::size_t> mostSimilarTo(const Evaluation& evaluation, std::size
   return nearest ? std::optional(places[*nearest]) : std::nullopt;
 }
 
+bool holdsAllPublished(const std::vector<EvaluatedModel>& models) {
+  const std::vector<ModelRecipe> recipes = allRecipes();
+  return std::ranges::all_of(recipes, [&](const ModelRecipe& recipe) {
+    return !isPublished(recipe.family) || std::ranges::find(models, recipe, &EvaluatedModel::recipe) != models.end();
+  });
+}
+
 void markFront(Evaluation& evaluation, const Places& places, bool ModelScore::*mark) {
   const std::vector<bool> front = onParetoFront(objectivesOf(evaluation.models, places));
   for (std::size_t n = 0; n < places.size(); ++n) {
@@ -70,8 +77,13 @@ std::size_t Evaluation::failed() const {
       std::count_if(models.begin(), models.end(), [](const EvaluatedModel& model) { return !model.measures; }));
 }
 
+const ModelScore* Evaluation::finalScore(std::size_t place) const {
+  return publishedComplete && scores[place] ? &*scores[place] : nullptr;
+}
+
 Evaluation evaluated(std::vector<EvaluatedModel> models) {
   Evaluation evaluation;
+  evaluation.publishedComplete = holdsAllPublished(models);
   evaluation.scores.resize(models.size());
   evaluation.models = std::move(models);
   const Places published = placesOf(evaluation.models, isPublished);

@@ -19,6 +19,9 @@ struct ModelSeconds {
   [[nodiscard]] double total() const { return sample + solve + extract + decimate + smooth + simplify; }
 };
 
+/// Failure of a model that the memory did not suffice for: another run may make it.
+inline constexpr const char* kNoMemoryForModel = "There is not enough memory for this model; close other programs and try again.";
+
 /// One model as made and measured, or why it could not be.
 struct EvaluatedModel {
   ModelRecipe recipe;
@@ -26,6 +29,7 @@ struct EvaluatedModel {
   std::optional<ModelMeasures> measures;
   std::string failure;  ///< one sentence where there are no measures
   ModelSeconds seconds;
+  /// How much the program grew while the model's surface was made; of MCSD, while the sweep's were until this one was measured.
   std::optional<double> peakMemoryMb;
 
   /// modelName() with the depth that was used; of a failed model, with the one that was asked for.
@@ -44,6 +48,7 @@ struct Evaluation {
   std::vector<EvaluatedModel> models;
   std::vector<std::optional<ModelScore>> scores;  ///< one for each model
   std::optional<ObjectiveBounds> bounds;          ///< of the published models
+  bool publishedComplete = false;                 ///< each published model is there or failed: scores and choices are final
   std::optional<std::size_t> bestPsr;             ///< P_best [eq. 11]
   std::optional<std::size_t> bestMcsd;            ///< C_best [eq. 11]
   std::optional<std::size_t> bestOfAll;           ///< M_best [eq. 12]: of the published models
@@ -52,6 +57,8 @@ struct Evaluation {
   std::optional<std::size_t> bestOther;           ///< least score of the other methods' models
 
   [[nodiscard]] std::size_t failed() const;
+  /// Null where the model has no score, or further models may change it.
+  [[nodiscard]] const ModelScore* finalScore(std::size_t place) const;
 };
 
 /// Scores all models that have measures. Where no published model has any, nothing is scored.

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <map>
+#include <new>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/model_mesh.h"
 #include "reconstruction/mesh/simplify.h"
 #include "reconstruction/methods/methods.h"
 #include "reconstruction/parallel.h"
+#include "reconstruction/peak_memory.h"
 
 namespace glisson {
 
@@ -29,6 +32,7 @@ void keepQuicker(std::optional<ModelSeconds>& best, const ModelSeconds& seconds)
 struct Poisson {
   PoissonResult result;
   ModelSeconds seconds;
+  std::optional<double> peakMemoryMb;
   std::string failure;
 };
 
@@ -37,6 +41,7 @@ struct Other {
   SurfaceMesh mesh;
   int usedDepth = 0;
   ModelSeconds seconds;
+  std::optional<double> peakMemoryMb;
   std::string failure;
 };
 
@@ -44,6 +49,18 @@ struct Other {
 std::string tooSmallFor(int depth, int usedDepth) {
   return "The label is too small for depth " + std::to_string(depth) + ": depth " + std::to_string(usedDepth) +
          " is the deepest that its voxels carry.";
+}
+
+/// What fails for one model is said in it; the others go on.
+template <typename Work>
+void attempt(std::string& failure, const Work& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    failure = error.what();
+  } catch (const std::bad_alloc&) {
+    failure = kNoMemoryForModel;
+  }
 }
 
 class Experiment {
@@ -61,6 +78,8 @@ class Experiment {
   void makeVariants(const Places& places, const ExecutionContext& context) const;
   [[nodiscard]] Other otherOf(const ModelRecipe& recipe, const ExecutionContext& context) const;
   [[nodiscard]] Poisson poissonOfDepth(int depth, const ExecutionContext& context) const;
+  /// Sets the quickest run's seconds.
+  [[nodiscard]] SurfaceMesh simplified(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const;
   void finishPoisson(std::size_t place, const Poisson& poisson, const ExecutionContext& context) const;
   /// Or the failure.
   void measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const;
@@ -88,17 +107,14 @@ Places Experiment::placesOf(std::initializer_list<ModelFamily> families) const {
 
 void Experiment::measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const {
   const auto start = Clock::now();
-  try {
-    model.measures = measureModel(mesh, model.recipe, reference_, context);
-  } catch (const Error& error) {
-    model.failure = error.what();
-  }
+  attempt(model.failure, [&] { model.measures = measureModel(mesh, model.recipe, reference_, context); });
   model.seconds.measure = secondsSince(start);
 }
 
 Poisson Experiment::poissonOfDepth(int depth, const ExecutionContext& context) const {
   Poisson made;
-  try {
+  const PeakMemory memory;
+  attempt(made.failure, [&] {
     std::optional<ModelSeconds> best;
     for (int run = 0; run < options_.timings; ++run) {
       made.result = reconstructPoisson(mask_, geometry_, poissonOf({.depth = depth}, options_), context);
@@ -106,9 +122,20 @@ Poisson Experiment::poissonOfDepth(int depth, const ExecutionContext& context) c
                   {.sample = made.result.sampleSeconds, .solve = made.result.solveSeconds, .extract = made.result.extractSeconds});
     }
     made.seconds = *best;
-  } catch (const Error& error) {
-    made.failure = error.what();
+  });
+  made.peakMemoryMb = memory.growthMb();
+  return made;
+}
+
+SurfaceMesh Experiment::simplified(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const {
+  SurfaceMesh made;
+  double least = std::numeric_limits<double>::max();
+  for (int run = 0; run < options_.timings; ++run) {
+    const auto start = Clock::now();
+    made = simplify(mesh, {.triangles = simplifiedCount(mesh.triangles.size(), model.recipe)}, context);
+    least = std::min(least, secondsSince(start));
   }
+  model.seconds.simplify = least;
   return made;
 }
 
@@ -117,22 +144,17 @@ void Experiment::finishPoisson(std::size_t place, const Poisson& poisson, const 
   model.recipe = recipes_[place];
   model.usedDepth = poisson.result.usedDepth;
   model.seconds = poisson.seconds;
+  model.peakMemoryMb = poisson.peakMemoryMb;
   model.failure = poisson.failure;
-  const bool simplified = model.recipe.family == ModelFamily::SimplifiedPsr;
-  if (model.failure.empty() && !simplified && model.usedDepth != model.recipe.depth) {
+  const bool simplify = model.recipe.family == ModelFamily::SimplifiedPsr;
+  if (model.failure.empty() && !simplify && model.usedDepth != model.recipe.depth) {
     model.failure = tooSmallFor(model.recipe.depth, model.usedDepth);
   }
   const SurfaceMesh* mesh = &poisson.result.mesh;
   SurfaceMesh fewer;
-  if (model.failure.empty() && simplified) {
-    const auto start = Clock::now();
-    try {
-      fewer = simplify(*mesh, {.triangles = simplifiedCount(mesh->triangles.size(), model.recipe)}, context);
-      mesh = &fewer;
-    } catch (const Error& error) {
-      model.failure = error.what();
-    }
-    model.seconds.simplify = secondsSince(start);
+  if (model.failure.empty() && simplify) {
+    attempt(model.failure, [&] { fewer = simplified(*mesh, model, context); });
+    mesh = &fewer;
   }
   if (model.failure.empty()) {
     measure(*mesh, model, context);
@@ -184,6 +206,7 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
   if (places.empty()) {
     return;
   }
+  const PeakMemory memory;
   const double timedShare = 0.5 * (options_.timings - 1) / options_.timings;
   std::vector<McsdParameters> sets;
   sets.reserve(places.size());
@@ -197,6 +220,7 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
     keepQuicker(best[n], {.extract = made.extractSeconds, .decimate = made.decimateSeconds, .smooth = made.smoothSeconds});
     model.seconds = *best[n];
     measure(made.mesh, model, share);
+    model.peakMemoryMb = memory.growthMb();
     share.report(1.0, "measures");
     visit_(places[n], std::move(model));
   };
@@ -205,7 +229,8 @@ void Experiment::makeMcsd(const ExecutionContext& context) const {
 
 Other Experiment::otherOf(const ModelRecipe& recipe, const ExecutionContext& context) const {
   Other made;
-  try {
+  const PeakMemory memory;
+  attempt(made.failure, [&] {
     std::optional<ModelSeconds> best;
     for (int run = 0; run < options_.timings; ++run) {
       ModelMesh model = makeModelMesh(mask_, geometry_, recipe, options_, context);
@@ -218,9 +243,8 @@ Other Experiment::otherOf(const ModelRecipe& recipe, const ExecutionContext& con
     if (wanted != 0 && made.usedDepth != wanted) {
       made.failure = tooSmallFor(wanted, made.usedDepth);
     }
-  } catch (const Error& error) {
-    made.failure = error.what();
-  }
+  });
+  made.peakMemoryMb = memory.growthMb();
   return made;
 }
 
@@ -237,6 +261,7 @@ void Experiment::makeVariants(const Places& places, const ExecutionContext& cont
       model.recipe = recipes_[places[n]];
       model.usedDepth = made[n].usedDepth;
       model.seconds = made[n].seconds;
+      model.peakMemoryMb = made[n].peakMemoryMb;
       model.failure = made[n].failure;
       if (model.failure.empty()) {
         measure(made[n].mesh, model, context.range(0.5 + fraction(n), 0.5 + fraction(n + 1)));

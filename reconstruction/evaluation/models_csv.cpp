@@ -16,7 +16,7 @@ struct Row {
   double voxelVolumeMl;
 
   [[nodiscard]] const EvaluatedModel& model() const { return evaluation.models[place]; }
-  [[nodiscard]] const std::optional<ModelScore>& score() const { return evaluation.scores[place]; }
+  [[nodiscard]] const ModelScore* score() const { return evaluation.finalScore(place); }
 };
 
 struct Column {
@@ -45,7 +45,7 @@ Column count(const char* name, std::size_t (*of)(const ModelMeasures&)) {
 }
 
 Column score(const char* name, double (*of)(const ModelScore&)) {
-  return {name, [of](const Row& row) { return row.score() ? formatExact(of(*row.score())) : std::string(); }};
+  return {name, [of](const Row& row) { return row.score() != nullptr ? formatExact(of(*row.score())) : std::string(); }};
 }
 
 Column seconds(const char* name, double ModelSeconds::*stage) {
@@ -60,6 +60,9 @@ bool isSimplified(ModelFamily family) { return family == ModelFamily::Simplified
 std::string rolesOf(const Row& row) {
   const Evaluation& all = row.evaluation;
   std::string roles;
+  if (!all.publishedComplete) {
+    return roles;
+  }
   for (const auto& [role, place] : {std::pair("bestPsr", all.bestPsr),
                                     {"bestMcsd", all.bestMcsd},
                                     {"bestOfAll", all.bestOfAll},

@@ -19,7 +19,9 @@ inline constexpr std::size_t kPaperRepeats = 6;
 struct RatedModel {
   std::string id;       ///< unique among the models
   std::string method;   ///< what is compared; no rater may see it
-  std::string subject;  ///< of whom the model is (a pseudonym): models of one subject are pairs between methods
+  std::string subject;  ///< of whom the model is (a pseudonym)
+  /// Models of one subject and one grade are pairs between methods. Empty: all of one subject are.
+  std::string grade = {};
   bool operator==(const RatedModel&) const = default;
 };
 

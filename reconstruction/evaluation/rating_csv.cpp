@@ -15,9 +15,9 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-enum Column : std::size_t { Name, Place, Model, Method, Subject, Counts, Value, Seconds, Seed, Repeats, Question, kColumns };
-constexpr std::array<const char*, kColumns> kNames{"rater",  "showing", "model", "method",  "subject", "counts",
-                                                   "rating", "seconds", "seed",  "repeats", "question"};
+enum Column : std::size_t { Name, Place, Model, Method, Subject, Counts, Value, Seconds, Seed, Repeats, Question, Grade, kColumns };
+constexpr std::array<const char*, kColumns> kNames{"rater",  "showing", "model", "method",  "subject",  "counts",
+                                                   "rating", "seconds", "seed",  "repeats", "question", "grade"};
 
 /// Reads lines of cells as a session and says which line is at fault.
 class SessionReader {
@@ -25,6 +25,7 @@ class SessionReader {
   SessionReader(std::vector<Cells> lines, std::string_view file) : lines_(std::move(lines)), file_(file) {}
 
   RatingSession session() {
+    addGrades();
     checkColumns();
     RatingSession read;
     read.study = study();
@@ -43,6 +44,14 @@ class SessionReader {
   [[noreturn]] void refuse(std::size_t line, const std::string& fact) const {
     throw InputError("\"" + file_ + "\" is no session of a blind rating (line " + std::to_string(line + 1) + " " + fact +
                      "); choose a CSV file that a rating was kept in.");
+  }
+
+  /// To a file of an earlier version.
+  void addGrades() {
+    if (!lines_.empty() && lines_.front() == Cells(kNames.begin(), kNames.begin() + Grade)) {
+      lines_.front().emplace_back(kNames[Grade]);
+      std::for_each(lines_.begin() + 1, lines_.end(), [](Cells& cells) { cells.emplace_back(); });
+    }
   }
 
   void checkColumns() const {
@@ -79,7 +88,7 @@ class SessionReader {
         if (cells[Model].empty() || !ids.insert(cells[Model]).second) {
           refuse(end, "names no model, or one that was there before");
         }
-        models.push_back({cells[Model], cells[Method], cells[Subject]});
+        models.push_back({cells[Model], cells[Method], cells[Subject], cells[Grade]});
       }
     }
     showings_ = end - 1;
@@ -125,7 +134,7 @@ class SessionReader {
       }
     }
     const Cells expected{std::to_string(place + 1), model.id, model.method, model.subject, showing.counts ? "1" : "0"};
-    if (!std::equal(expected.begin(), expected.end(), cells.begin() + Place)) {
+    if (!std::equal(expected.begin(), expected.end(), cells.begin() + Place) || cells[Grade] != model.grade) {
       refuse(line, "does not hold the model that its seed gives");
     }
   }
@@ -149,7 +158,7 @@ std::string ratingCsv(const RatingSession& session) {
       csv += csvLine({session.raters[rater].name, std::to_string(n + 1), model.id, model.method, model.subject,
                       order[n].counts ? "1" : "0", rated ? std::to_string(ratings[n].value) : "",
                       rated ? formatExact(ratings[n].seconds) : "", std::to_string(study.seed), std::to_string(study.repeats),
-                      study.question});
+                      study.question, model.grade});
     }
   }
   return csv;

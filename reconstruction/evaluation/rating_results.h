@@ -1,7 +1,7 @@
 #pragma once
 // Purpose: what the ratings of a session say of the methods [Palomar 2016, 3.4 and 4.4]: box plots, and tests of each pair of
 // methods. The paper's Welch test pools all ratings. Those of one rater are not independent, so two paired tests stand beside it:
-// one over the raters, each with the mean of his ratings, and one within each rater over the subjects.
+// one over the raters, each with the mean of his ratings, and one within each rater over the subjects and their grades.
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ namespace glisson {
 struct MethodRatings {
   std::string method;
   std::vector<double> ratings;  ///< ascending
-  BoxPlot box;
+  BoxPlot box;                  ///< its median is medianOf()
   Spread spread;
 };
 
@@ -30,7 +30,8 @@ struct MethodComparison {
   std::string second;
   TTestResult pooled;                   ///< Welch's test of all ratings, as in the paper
   TTestResult overRaters;               ///< paired: the mean of each rater
-  std::vector<RaterTest> withinRaters;  ///< paired: the mean of each subject that has models of both methods
+  std::vector<RaterTest> withinRaters;  ///< paired: the mean of each subject, and grade, that has models of both methods
+  std::vector<std::string> grades;      ///< that have models of both; none where the subjects alone are paired
 };
 
 struct RatingResults {

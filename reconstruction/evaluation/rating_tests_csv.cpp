@@ -46,7 +46,7 @@ std::string ratingTestsCsv(const RatingResults& results) {
     add("welch", "", comparison.pooled);
     add("paired_over_raters", "", comparison.overRaters);
     for (const RaterTest& rater : comparison.withinRaters) {
-      add("paired_over_patients", rater.rater, rater.test);
+      add(comparison.grades.empty() ? "paired_over_patients" : "paired_over_grades", rater.rater, rater.test);
     }
   }
   return csv;

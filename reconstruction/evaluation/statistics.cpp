@@ -28,6 +28,11 @@ BoxPlot boxPlotOf(std::span<const double> sorted) {
   return box;
 }
 
+double medianOf(std::span<const double> sorted) {
+  const std::size_t middle = sorted.size() / 2;
+  return sorted.empty() ? 0.0 : sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
+}
+
 Spread spreadOf(std::span<const double> values) {
   Spread spread;
   if (values.empty()) {

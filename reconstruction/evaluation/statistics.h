@@ -20,6 +20,9 @@ struct BoxPlot {
 /// `sorted` in ascending order.
 BoxPlot boxPlotOf(std::span<const double> sorted);
 
+/// The middle value, of an even number the mean of the middle two; 0 where there is none. `sorted` in ascending order.
+double medianOf(std::span<const double> sorted);
+
 struct Spread {
   double mean = 0;
   double deviation = 0;  ///< standard deviation of a sample (divided by n - 1), 0 of fewer than two

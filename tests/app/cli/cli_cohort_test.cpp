@@ -277,6 +277,19 @@ TEST_F(CliCohort, ResultsOfOtherParametersOrAnotherLineDoNotCount) {
   EXPECT_NE(gather.err.find("P1 (line 3 of list.csv) has no result"), std::string::npos) << gather.err;
 }
 
+TEST_F(CliCohort, ResultsWithOtherMethodsOrOfOlderModelsDoNotCount) {
+  const TemporaryFolder folder;
+  const fs::path copy = copyIn(folder);
+  EXPECT_EQ(cohort(list(), copy.string(), {"--gather", "--methods", "none"}).exitCode, 3);
+  EXPECT_EQ(cohort(list(), copy.string(), {"--gather", "--methods", "vessels,psr_knn,mpu"}).exitCode, 4) << "the same methods";
+  Json outcome = Json::parse(bytesOf(copy / "P1/outcome.json"));
+  outcome["of"]["models"] = outcome["of"]["models"].get<int>() - 1;
+  std::ofstream(copy / "P1/outcome.json") << outcome.dump();
+  const Finished gather = cohort(list(), copy.string(), {"--gather"});
+  EXPECT_EQ(gather.exitCode, 4);
+  EXPECT_NE(gather.err.find("P1 (line 3 of list.csv) has no result"), std::string::npos) << gather.err;
+}
+
 TEST_F(CliCohort, FlagsHoldWhereALineIsEmpty) {
   const TemporaryFolder folder;
   fs::copy(*folder_ / "labels.mha", folder / "labels.mha");
@@ -303,6 +316,16 @@ TEST_F(CliCohort, WithNobodyToTellOfWritesNoTables) {
   EXPECT_NE(lines[1].find("none (line 3 of list.csv)"), std::string::npos);
   EXPECT_NE(lines[1].find("names no structure"), std::string::npos);
   EXPECT_EQ(namesIn(folder.path() / "lab"), (Texts{"empty", "empty/outcome.json", "none", "none/outcome.json"}));
+}
+
+TEST(CliCohortInterrupt, TheFormerOutcomeDoesNotStandForARunThatIsLost) {
+  const TemporaryFolder folder;
+  const std::string list = writeList(folder, "name,segmentation,structure\nP1," + sampleSegmentation() + ",parenchyma\n");
+  fs::create_directories(folder.path() / "lab/P1");
+  std::ofstream(folder.path() / "lab/P1/outcome.json") << "{}";
+  const Finished finished = runProgram("glisson-cli", {"evaluate", "--cohort", list, "-o", folder / "lab"}, {}, 1.0);
+  EXPECT_EQ(finished.exitCode, 130) << finished.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "lab/P1/outcome.json"));
 }
 
 // ---- the list

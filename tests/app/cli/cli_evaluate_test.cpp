@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "reconstruction/file_lock.h"
 #include "tests/app/cli/evaluated_labels.h"
 #include "tests/support/real_data.h"
 
@@ -218,6 +219,22 @@ TEST_F(CliEvaluate, WithoutOtherMethodsThePublishedModelsAreTheSame) {
   EXPECT_EQ(Json::parse(bytesOf(copy / "summary.json"))["bestOther"], nullptr);
   const Finished one = evaluate(labels(), copy.string(), {"--methods", "vessels,mpu"});
   EXPECT_NE(one.out.find("0 made, 64 kept"), std::string::npos) << one.out;
+}
+
+TEST_F(CliEvaluate, ASecondRunInOneFolderIsRefusedAndTakesNothingFromTheFirst) {
+  const TemporaryFolder folder;
+  const fs::path copy = folder.path() / "lab";
+  fs::copy(lab(), copy, fs::copy_options::recursive);
+  std::ofstream(copy / "models/.mcsd_s0_e10.json.123.tmp") << "half a file of the first run";
+  const Keys before = namesIn(copy);
+  {
+    const FileLock first(copy / "models");
+    ASSERT_TRUE(first.isWriter());
+    expectRefusal(evaluate(labels(), copy.string()), 3, "another evaluate is at work in");
+    EXPECT_EQ(namesIn(copy), before);
+  }
+  EXPECT_EQ(evaluate(labels(), copy.string()).exitCode, 0);
+  EXPECT_EQ(namesIn(copy), namesIn(lab()));
 }
 
 TEST_F(CliEvaluate, AFinishedRunRepeatedWritesTheSameBytesTimesAndAll) {

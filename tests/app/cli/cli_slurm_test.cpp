@@ -76,6 +76,21 @@ TEST_F(CliSlurm, ALostTaskIsNamedByTheGatheringJobAndRunAgainAlone) {
   EXPECT_NE(textOf("calls").find("--array=3 "), std::string::npos) << textOf("calls");
 }
 
+TEST_F(CliSlurm, TheUsersThreadsHoldBeforeThoseOfTheTask) {
+  ASSERT_EQ(submit("--tasks 2-2 list.csv lab --labels 1=tumour,2=cyst --threads 4"), 0) << textOf("said");
+  const std::string log = textOf("lab/logs/task_2.log");
+  EXPECT_EQ(log.rfind("glisson-cli: speck (line 3 of list.csv): ", 0), 0U) << log;
+}
+
+TEST_F(CliSlurm, AMistypedFlagIsToldBeforeAnythingIsHandedIn) {
+  EXPECT_EQ(submit("list.csv lab --methods magic"), 2);
+  EXPECT_NE(textOf("said").find("\"magic\""), std::string::npos) << textOf("said");
+  EXPECT_EQ(submit("list.csv lab --as-publshed"), 2);
+  EXPECT_EQ(submit("list.csv lab -o elsewhere"), 2);
+  EXPECT_FALSE(fs::exists(folder_ / "calls"));
+  EXPECT_FALSE(fs::exists(folder_ / "lab"));
+}
+
 TEST_F(CliSlurm, AFaultyListIsToldBeforeAnythingIsHandedIn) {
   std::ofstream(folder_ / "list.csv") << "name,segmentation\nP1,labels.mha\nP1,labels.mha\n";
   EXPECT_EQ(submit("list.csv lab"), 3);

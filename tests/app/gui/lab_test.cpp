@@ -110,7 +110,16 @@ TEST_F(LabTest, ModelsOfTheChosenFamiliesArriveAndOneThatFailsStopsNoOther) {
   EXPECT_EQ(evaluation().models[placeOf(kDepth6)].seconds.total(), seconds) << "what is there is not made again";
 }
 
-TEST_F(LabTest, EveryFamilyTogetherIsTheExperimentOfTheCommandLine) {
+TEST_F(LabTest, EveryFamilyTogetherIsTheExperimentOfTheCommandLineAndOnlyThenScored) {
+  const auto score = [this](int row) {
+    const QAbstractItemModel* table = find<QTableView>("labTableView")->model();
+    return table->index(row, table->columnCount() - 2).data().toString();
+  };
+  compare({ModelFamily::Psr});
+  clickModel(kDepth5);
+  EXPECT_EQ(score(0), "-");
+  EXPECT_TRUE(find<QLabel>("labNumbersA")->text().contains("Score\u00A0<b>-</b>"));
+  EXPECT_EQ(lab().plot().frontName(), "front so far");
   compare({ModelFamily::Psr, ModelFamily::Mcsd, ModelFamily::SimplifiedPsr, ModelFamily::Other});
   ASSERT_EQ(evaluation().models.size(), allRecipes().size());
   const std::vector<ModelRecipe> order = allRecipes();
@@ -118,6 +127,9 @@ TEST_F(LabTest, EveryFamilyTogetherIsTheExperimentOfTheCommandLine) {
     EXPECT_EQ(evaluation().models[n].recipe, order[n]);
   }
   EXPECT_TRUE(evaluation().bestPsr && evaluation().bestMcsd && evaluation().mostSimilar);
+  EXPECT_NE(score(0), "-");
+  EXPECT_FALSE(find<QLabel>("labNumbersA")->text().contains("Score\u00A0<b>-</b>"));
+  EXPECT_EQ(lab().plot().frontName(), "front");
 }
 
 TEST_F(LabTest, AClickShowsTheModelThatWasMeasured) {
@@ -287,6 +299,36 @@ TEST_F(LabTest, TheSlidersModelHasAnOpenMarkOfItsOwnUntilTheExperimentHasIt) {
   ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
   EXPECT_TRUE(lab().plot().pixelBeside(0).has_value());
   EXPECT_EQ(evaluation().models.size(), 4U);
+}
+
+TEST_F(LabTest, ADepthThatTheExperimentCouldNotMakeIsMeasuredByTheSliderUnderItsOwnName) {
+  compare({ModelFamily::Psr});
+  ASSERT_FALSE(evaluation().models[placeOf(kDepth8)].measures);
+  find<QSlider>("labDepth")->setValue(8);
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  ASSERT_TRUE(lab().side(0).model() && lab().side(0).model()->measures);
+  EXPECT_TRUE(find<QLabel>("labNameA")->text().contains("PSR d=6")) << find<QLabel>("labNameA")->text().toStdString();
+  EXPECT_FALSE(find<QLabel>("labNumbersA")->text().contains("too small"));
+  EXPECT_TRUE(lab().plot().pixelBeside(0).has_value());
+}
+
+TEST_F(LabTest, AfterAModelThatWasNotMadeTheSideShowsNothingAndItCanBeAskedForAgain) {
+  find<QSlider>("labDepth")->setValue(6);
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  ASSERT_NE(lab().side(0).surface().mesh, nullptr);
+  find<QSlider>("labDepth")->setValue(5);
+  jobs->cancelAll();
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  EXPECT_FALSE(lab().side(0).recipe().has_value());
+  EXPECT_TRUE(find<QLabel>("labNameA")->text().contains("click a model"));
+  EXPECT_EQ(lab().side(0).surface().mesh, nullptr);
+  EXPECT_EQ(lab().side(0).surface().errors, nullptr);
+  EXPECT_EQ(lab().side(0).reconstruction(), nullptr);
+  EXPECT_FALSE(lab().side(0).model().has_value() || lab().side(0).p95Mm().has_value());
+  EXPECT_TRUE(find<QLabel>("labNumbersA")->text().isEmpty());
+  find<QSlider>("labDepth")->setValue(6);
+  ASSERT_TRUE(waitFor([this] { return jobs->idle(); }));
+  EXPECT_EQ(lab().side(0).recipe(), kDepth6);
 }
 
 TEST_F(LabTest, TheSurfaceComesFirstAndSaysThatItsErrorsFollow) {

@@ -318,6 +318,7 @@ TEST_F(RatingWindowTest, ResultsTellBothTestsWithNumbersInTheLanguageAndAreSaved
   // Alpha: 5 5 4 4 3 3 3 3, Beta: 2 throughout; means of the raters differ by 2.5 and 1
   EXPECT_TRUE(text->text().contains("Alpha less Beta"));
   EXPECT_TRUE(text->text().contains("3.750"));
+  EXPECT_TRUE(text->text().contains(">3.5<")) << "the median of an even number";
   EXPECT_TRUE(text->text().contains("Welch&#39;s t-test of all ratings: difference 1.750, t = 5.584, df = 7.0, p = 0.000830") ||
               text->text().contains("Welch's t-test of all ratings: difference 1.750, t = 5.584, df = 7.0, p = 0.000830"))
       << text->text().toStdString();
@@ -406,6 +407,32 @@ TEST_F(RatingWindowTest, TheMenuOffersModelsOfBothMethodsOfTheOpenCase) {
   EXPECT_GE(methods["PSR"], 1);
   EXPECT_EQ(methods.size(), 2U);
   EXPECT_TRUE(waitFor([&] { return jobs.idle(); }));
+
+  const QString path = rating->path();
+  const auto withoutGrades = [&] {  // as an earlier version wrote it
+    RatingSession session = *rating->session();
+    for (RatedModel& model : session.study.models) {
+      model.grade.clear();
+    }
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(ratingCsv(session)));
+  };
+  withoutGrades();
+  rating->resume(path);
+  rating->findChild<QPushButton*>("ratingStart")->click();
+  while (const std::optional<Showing> showing = rating->session()->next()) {
+    const RatedModel& model = rating->session()->study.models[showing->model];
+    EXPECT_TRUE(QString::fromStdString(model.grade).contains(" / MCSD")) << model.grade;
+    const int value = model.method == "MCSD" ? 2 : QString::fromStdString(model.id).endsWith("d6") ? 5 : 3;
+    QTest::keyClick(rating->focusWidget(), static_cast<Qt::Key>(Qt::Key_0 + value));
+  }
+  rating->findChild<QPushButton*>("ratingShowResults")->click();
+  const QString text = rating->findChild<QLabel*>("ratingResultsText")->text();
+  EXPECT_TRUE(text.contains("Paired t-test over the grades by Anna alone: difference -2.000, t = -2.000, df = 1.0"))
+      << text.toStdString();
+  EXPECT_TRUE(text.contains("Models of one grade are paired: PSR d=5 / MCSD s=90 e=80 %; PSR d=6 / MCSD s=67 e=60 %"))
+      << text.toStdString();
 }
 
 }  // namespace

@@ -132,6 +132,18 @@ TEST(AccuracySvg, HasAMarkWithATooltipForEachMeasuredModel) {
   EXPECT_NE(svg.find("PSR d=6: 10\u202f000 triangles, mean error 0.250 mm"), std::string::npos);
 }
 
+TEST(AccuracySvg, ShowsScoresAndChoicesOnceTheyAreFinal) {
+  Evaluation evaluation = someModels();
+  const std::string before = accuracySvg(evaluation);
+  evaluation.publishedComplete = true;
+  const std::string after = accuracySvg(evaluation);
+  for (const char* word : {", score ", "best PSR", "front of PSR and MCSD"}) {
+    EXPECT_EQ(before.find(word), std::string::npos) << word;
+    EXPECT_NE(after.find(word), std::string::npos) << word;
+  }
+  EXPECT_NE(before.find("front so far"), std::string::npos);
+}
+
 TEST(AccuracySvg, AFileCarriesItsNamespaceAndStyle) {
   const std::string picture = accuracySvg(someModels());
   const std::string file = svgFile(picture);

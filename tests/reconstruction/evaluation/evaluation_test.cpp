@@ -139,6 +139,27 @@ TEST(Evaluation, TheFamiliesBesideThePublishedOnesChangeNothingOfThem) {
   EXPECT_FALSE(with.scores[6]->pareto);
 }
 
+TEST(Evaluation, IsFinalOnceEveryPublishedModelIsThereOrFailed) {
+  std::vector<EvaluatedModel> models;
+  for (const ModelRecipe& recipe : allRecipes()) {
+    if (isPublished(recipe.family)) {
+      models.push_back(model(recipe.family, 1.0 + static_cast<double>(models.size()), 100 + models.size(), 1.0));
+      models.back().recipe = recipe;
+    }
+  }
+  models[3] = failed(kPsr, "too small");
+  models[3].recipe = allRecipes()[3];
+  const Evaluation all = evaluated(models);
+  EXPECT_TRUE(all.publishedComplete);
+  EXPECT_EQ(all.finalScore(0), &*all.scores[0]);
+  EXPECT_EQ(all.finalScore(3), nullptr);
+  models.erase(models.begin() + 20);
+  const Evaluation without = evaluated(models);
+  EXPECT_FALSE(without.publishedComplete);
+  EXPECT_TRUE(without.scores[0]);
+  EXPECT_EQ(without.finalScore(0), nullptr);
+}
+
 TEST(Evaluation, GoesOnWithoutTheModelsThatFailed) {
   const Evaluation all =
       evaluated({failed(kPsr, "no"), model(kPsr, 2.0, 100, 1.0), model(kMcsd, 1.0, 300, 5.0), failed(kMcsd, "no")});
@@ -166,7 +187,14 @@ TEST(ModelsCsv, ReadsBackWithEveryColumnOfTheContract) {
   models.push_back(model(kOther, 0.5, 500, 0));
   models[2].recipe.method = "mpu";
   models[2].recipe.variant = "e0.01";
-  const std::string csv = modelsCsv(evaluated(models), 100.0);
+  Evaluation evaluation = evaluated(models);
+  for (const auto& row : test::namedRows(modelsCsv(evaluation, 100.0))) {
+    for (const char* name : {"normalisedError", "normalisedTriangles", "score", "pareto", "paretoOfAll", "roles"}) {
+      EXPECT_EQ(row.at(name), "") << name << ", before all published models are there";
+    }
+  }
+  evaluation.publishedComplete = true;
+  const std::string csv = modelsCsv(evaluation, 100.0);
   const auto header = test::readCsv(csv).front();
   EXPECT_EQ(header, modelsCsvColumns());
   EXPECT_EQ(std::vector<std::string>(header.begin(), header.begin() + 5),

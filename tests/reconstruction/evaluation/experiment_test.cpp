@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 
 #include "reconstruction/errors.h"
@@ -46,16 +48,18 @@ Body ellipsoid() {
   return body;
 }
 
-std::vector<EvaluatedModel> make(const Body& body, const std::vector<ModelRecipe>& recipes, const ExperimentOptions& options = {}) {
+std::vector<EvaluatedModel> make(const Body& body, const std::vector<ModelRecipe>& recipes, const ExperimentOptions& options = {},
+                                 const ExecutionContext& context = {}) {
   const EvaluationReference reference(body.mask, body.geometry);
   std::vector<EvaluatedModel> models(recipes.size());
   std::vector<int> visits(recipes.size(), 0);
   std::mutex mutex;
-  makeModels(body.mask, body.geometry, reference, recipes, options, [&](std::size_t n, EvaluatedModel model) {
+  const auto take = [&](std::size_t n, EvaluatedModel model) {
     const std::lock_guard lock(mutex);
     ++visits[n];
     models[n] = std::move(model);
-  });
+  };
+  makeModels(body.mask, body.geometry, reference, recipes, options, take, context);
   EXPECT_EQ(visits, std::vector<int>(recipes.size(), 1));
   return models;
 }
@@ -70,6 +74,7 @@ const std::vector<ModelRecipe> kFew{{.family = ModelFamily::Mcsd, .smoothing = 2
 
 std::string withoutTimes(EvaluatedModel model) {
   model.seconds = {};
+  model.peakMemoryMb.reset();
   return jsonOf(model, "");
 }
 
@@ -193,6 +198,65 @@ TEST(Experiment, KeepsTheQuickestOfSeveralRunsAndTheSameNumbers) {
     EXPECT_EQ(withoutTimes(once[n]), withoutTimes(thrice[n]));
     EXPECT_GT(thrice[n].seconds.total(), 0.0);
   }
+}
+
+TEST(Experiment, TimesTheSimplificationAsOftenAsTheRest) {
+  const Body body = ellipsoid();
+  const auto simplifications = [&](int timings) {
+    int reports = 0;
+    const ExecutionContext context([&](double /*done*/, std::string_view phase) { reports += phase == "simplify" ? 1 : 0; });
+    const auto models = make(body, {kFew[1]}, {.timings = timings}, context);
+    EXPECT_GT(models[0].seconds.simplify, 0.0);
+    return reports;
+  };
+  const int once = simplifications(1);
+  EXPECT_GT(once, 0);
+  EXPECT_EQ(simplifications(3), 3 * once);
+}
+
+TEST(Experiment, AModelsMemoryIsThatOfItsOwnMakingAndNotOfTheOneBefore) {
+  if (!std::ofstream("/proc/self/clear_refs")) {
+    GTEST_SKIP() << "the system keeps no high-water mark";
+  }
+  constexpr std::size_t kMuch = 200'000'000;
+  bool taken = false;
+  const ExecutionContext context([&](double /*done*/, std::string_view /*phase*/) {
+    if (!taken) {
+      taken = true;
+      EXPECT_EQ(std::vector<char>(kMuch, 'x')[kMuch / 2], 'x');
+    }
+  });
+  const std::vector<EvaluatedModel> models = make(ellipsoid(), {kFew[4], kFew[2], kFew[3], kFew[5], kFew[6]}, {}, context);
+  EXPECT_GT(models[0].peakMemoryMb.value_or(0), 190);
+  for (std::size_t n = 1; n < models.size(); ++n) {
+    EXPECT_LT(models[n].peakMemoryMb.value_or(1e9), 150) << modelName(models[n].recipe);
+  }
+}
+
+using Places = std::vector<std::size_t>;
+
+TEST(Experiment, AModelThatTheMemoryDoesNotSufficeForSaysSoAndTheOthersGoOn) {
+  const Body body = ellipsoid();
+  const std::vector<EvaluatedModel> whole = make(body, kFew);
+  const auto failed = [&](const std::string& phase) {
+    const ExecutionContext context([&](double /*done*/, std::string_view reached) {
+      if (reached == phase) {
+        throw std::bad_alloc();
+      }
+    });
+    Places places;
+    const std::vector<EvaluatedModel> models = make(body, kFew, {}, context);
+    for (std::size_t n = 0; n < models.size(); ++n) {
+      if (models[n].failure == kNoMemoryForModel && !models[n].measures) {
+        places.push_back(n);
+      } else {
+        EXPECT_EQ(withoutTimes(models[n]), withoutTimes(whole[n])) << phase << ", " << modelName(kFew[n]);
+      }
+    }
+    return places;
+  };
+  EXPECT_EQ(failed("simplify"), Places{1});
+  EXPECT_EQ(failed("solve"), (Places{1, 2, 4, 5, 6})) << "all but MCSD";
 }
 
 TEST(Experiment, NeedsALabelWithASurface) {

@@ -207,6 +207,37 @@ TEST(RatingResults, AHabitOfARaterIsNoiseInThePooledTestAndNothingInThePairedOne
   EXPECT_GT(std::get<TTest>(with.comparisons[2].pooled).p, std::get<TTest>(without.comparisons[2].pooled).p);
 }
 
+TEST(RatingResults, PairTheGradesOfOneSubject) {
+  const RatingStudy study = ratingStudy("?",
+                                        {{"a3", "A", "P1", "fine"},
+                                         {"a2", "A", "P1", "middle"},
+                                         {"a1", "A", "P1", "coarse"},
+                                         {"b2", "B", "P1", "middle"},
+                                         {"b1", "B", "P1", "coarse"},
+                                         {"b0", "B", "P1", "crude"}},
+                                        5);
+  const auto values = std::map<std::string, int>{{"a3", 1}, {"a2", 5}, {"a1", 3}, {"b2", 2}, {"b1", 2}, {"b0", 1}};
+  const RatingSession session =
+      ratedBy({study, {}}, "R", [&](const RatedModel& model, const Showing& /*showing*/) { return values.at(model.id); });
+  const MethodComparison comparison = ratingResults(session).comparisons.at(0);
+  const TTest test = std::get<TTest>(comparison.withinRaters.at(0).test);
+  EXPECT_EQ(test.degreesOfFreedom, 1);
+  EXPECT_NEAR(test.meanDifference, 2.0, 1e-12);  // 5 less 2, 3 less 2
+  EXPECT_NEAR(test.t, 2.0, 1e-12);
+  EXPECT_EQ(comparison.grades, (std::vector<std::string>{"coarse", "middle"}));
+  EXPECT_NE(ratingTestsCsv(ratingResults(session)).find("paired_over_grades,R"), std::string::npos);
+  EXPECT_EQ(ratingSessionOfCsv(ratingCsv(session), "s.csv"), session);
+}
+
+TEST(RatingResults, TheMedianOfAnEvenNumberIsTheMeanOfTheMiddleTwo) {
+  const RatingStudy study = ratingStudy("?", {{"a", "A", "P1"}, {"b", "A", "P2"}, {"c", "B", "P1"}}, 5);
+  const RatingResults results = ratingResults(ratedBy({study, {}}, "R", [](const RatedModel& model, const Showing& /*showing*/) {
+    return model.id == "a" ? 2 : model.id == "b" ? 3 : 5;
+  }));
+  EXPECT_EQ(results.methods.at(0).box.median, 2.5);
+  EXPECT_EQ(results.methods.at(1).box.median, 5.0);
+}
+
 TEST(RatingResults, OfOneSubjectHaveNoPairsWithinARater) {
   const RatingStudy study = ratingStudy("?", {{"a", "A", "P1"}, {"b", "A", "P1"}, {"c", "B", "P1"}}, 5);
   const RatingResults results = ratingResults(ratedBy({study, {}}, "R", sameForAll));
@@ -319,6 +350,20 @@ TEST(RatingCsv, CutAtAnyByteIsRefusedOrNoOtherSession) {
 
 using Lines = std::vector<std::vector<std::string>>;
 
+TEST(RatingCsv, OfAnEarlierVersionHasNoGradesAndIsTheSession) {
+  const RatingSession session = twoRaters(5);
+  const auto former = [&](std::size_t more) {
+    std::string text;
+    for (std::vector<std::string>& cells : test::readCsv(ratingCsv(session))) {
+      cells.resize(text.empty() ? 11 : 11 + more);
+      text += csvLine(cells);
+    }
+    return text;
+  };
+  EXPECT_EQ(ratingSessionOfCsv(former(0), "s.csv"), session);
+  EXPECT_THROW(ratingSessionOfCsv(former(1), "s.csv"), InputError);
+}
+
 TEST(RatingCsv, AnAlteredFileIsRefusedInOneSentenceThatNamesFileLineAndFact) {
   struct Alteration {
     const char* what;
@@ -346,6 +391,7 @@ TEST(RatingCsv, AnAlteredFileIsRefusedInOneSentenceThatNamesFileLineAndFact) {
       {"a seed too large", set(1, 8, "4294967296"), "line 2 holds no such number as seed"},
       {"another question", set(9, 10, "?"), "line 10 differs from the lines before in question"},
       {"more repeats than models", set(1, 9, "19"), "line 2 holds no such number as repeats"},
+      {"another grade", set(30, 11, "fine"), "line 31 does not hold the model that its seed gives"},
       {"another method", set(30, 3, "P_best!"), "line 31 does not hold the model that its seed gives"},
       {"a model twice", set(7, 2, "P4-P_best"), "names no model, or one that was there before"},
       {"a line lost", [](Lines& lines) { lines.erase(lines.begin() + 20); }, "line 2 does not hold the model that its seed gives"},

@@ -1,11 +1,11 @@
 #pragma once
-// Purpose: how much the program's resident memory grew at its highest, for the report's peakGrowthMb. Linux only (/proc).
+// Purpose: how much the program's resident memory grew at its highest, for reports. Linux only (/proc).
 
 #include <optional>
 
-namespace glisson::cli {
+namespace glisson {
 
-/// Measures from its construction.
+/// Measures from its construction, which ends what an earlier one measures: the system keeps one high-water mark.
 class PeakMemory {
  public:
   PeakMemory();
@@ -16,4 +16,4 @@ class PeakMemory {
   std::optional<double> startMb_;
 };
 
-}  // namespace glisson::cli
+}  // namespace glisson

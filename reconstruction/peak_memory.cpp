@@ -1,4 +1,4 @@
-#include "app/cli/peak_memory.h"
+#include "reconstruction/peak_memory.h"
 
 #include <algorithm>
 #include <fstream>
@@ -6,7 +6,7 @@
 
 #include "reconstruction/text.h"
 
-namespace glisson::cli {
+namespace glisson {
 
 namespace {
 
@@ -41,4 +41,4 @@ std::optional<double> PeakMemory::growthMb() const {
   return std::max(0.0, *peak - *startMb_);
 }
 
-}  // namespace glisson::cli
+}  // namespace glisson
