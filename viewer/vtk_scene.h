@@ -35,6 +35,8 @@ struct VtkWidget::Scene {
   bool moving = false;        ///< something moved within the last kRestMs
   bool cameraByHand = false;  ///< the user moved the camera since it was last placed
   std::optional<FrameQuality> asked;  ///< of the frame that is drawn for picture() or reportPicture()
+  bool started = false;       ///< VTK knows the widget's OpenGL context
+  bool resizing = false;      ///< inside Qt's own frame of a resize
   bool due = false;           ///< what is to be seen has changed since the last frame
   QSize drawn;                ///< pixels of the last frame; invalid before the first one in this context
   double area = 0;            ///< logical pixels of the last resize

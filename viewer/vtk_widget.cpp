@@ -143,6 +143,9 @@ std::optional<QImage> VtkWidget::reportPicture() {
     setAttribute(Qt::WA_DontShowOnScreen);
     setUpdatesEnabled(false);  // drawn only when it is asked
     show();
+    scene_->due = true;
+    grabFramebuffer();  // OpenGL starts in a turn of its own
+    return isValid() ? std::nullopt : std::optional(QImage());
   }
   QImage image = frameOf(FrameQuality::Report);
   return scene_->frame.moreToUpload ? std::nullopt : std::optional(std::move(image));
@@ -160,8 +163,7 @@ VtkWidget::Scene& VtkWidget::scene() { return *scene_; }
 void VtkWidget::initializeGL() {
   // A widget that moves to another window gets a new context: what VTK uploaded belongs to the old one.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::releaseGraphics, Qt::DirectConnection);
-  scene_->window->SetReadyForRendering(true);
-  scene_->window->OpenGLInitContext();
+  scene_->started = false;
   scene_->budget.forget();
 }
 
@@ -169,6 +171,7 @@ void VtkWidget::releaseGraphics() {
   makeCurrent();
   scene_->window->Finalize();
   scene_->window->SetReadyForRendering(false);
+  scene_->started = false;
   scene_->drawn = {};
   doneCurrent();
 }
@@ -181,7 +184,9 @@ void VtkWidget::resizeGL(int width, int height) {
 }
 
 void VtkWidget::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
+  scene_->resizing = true;
+  QOpenGLWidget::resizeEvent(event);  // draws at once what nobody sees
+  scene_->resizing = false;
   requestRender();
 }
 
@@ -189,11 +194,19 @@ void VtkWidget::paintGL() {
   Scene& s = *scene_;
   const double ratio = devicePixelRatioF();
   const QSize pixels(qRound(width() * ratio), qRound(height() * ratio));
-  if (!std::exchange(s.due, false) && !s.asked) {
+  if (s.resizing || (!std::exchange(s.due, false) && !s.asked)) {
     // Qt composes the window anew for a reason of its own, perhaps with many views in one turn: the last frame will do until
     // this view's own turn
     repeatFrame(pixels);
     return;
+  }
+  if (!std::exchange(s.started, true)) {
+    s.window->SetReadyForRendering(true);
+    s.window->OpenGLInitContext();
+    if (!s.asked) {
+      repeatFrame(pixels);  // that alone was a long turn
+      return;
+    }
   }
   s.interactor->UpdateSize(pixels.width(), pixels.height());
   const FrameQuality quality = s.asked.value_or(s.moving ? FrameQuality::Moving : FrameQuality::Resting);
