@@ -2829,6 +2829,10 @@
         <source>There is not enough memory for this model; close other programs and try again.</source>
         <translation>Für dieses Modell reicht der Speicher nicht; schließen Sie andere Programme und versuchen Sie es erneut.</translation>
     </message>
+    <message>
+        <source>Not read as a mask: %1, a CT beside the masks.</source>
+        <translation>Nicht als Maske gelesen: %1, eine CT neben den Masken.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -3777,6 +3781,18 @@
     <message>
         <source>Choose a kind for every label first.</source>
         <translation>Wählen Sie zuerst für jedes Label eine Art.</translation>
+    </message>
+    <message>
+        <source>no table: chosen one by one</source>
+        <translation>keine Tabelle: einzeln gewählt</translation>
+    </message>
+    <message>
+        <source>All others: not part of the model</source>
+        <translation>Alle anderen: nicht Teil des Modells</translation>
+    </message>
+    <message>
+        <source>Numbers of</source>
+        <translation>Nummern von</translation>
     </message>
 </context>
 <context>

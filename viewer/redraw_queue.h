@@ -1,5 +1,6 @@
 #pragma once
-// Purpose: views that change together are drawn one in a turn of the event loop, so that the window answers between them. UI thread.
+// Purpose: views that change together are drawn one in a turn of the event loop, so that the window answers between them. UI
+// thread.
 
 #include <QList>
 #include <QObject>

@@ -31,17 +31,17 @@ struct VtkWidget::Scene {
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   /// Called before every frame with its quality: the place to update actors and clipping range.
   std::function<void(FrameQuality)> beforeFrame;
-  QTimer rest;                ///< single shot: the end of a movement
-  bool moving = false;        ///< something moved within the last kRestMs
-  bool cameraByHand = false;  ///< the user moved the camera since it was last placed
+  QTimer rest;                        ///< single shot: the end of a movement
+  bool moving = false;                ///< something moved within the last kRestMs
+  bool cameraByHand = false;          ///< the user moved the camera since it was last placed
   std::optional<FrameQuality> asked;  ///< of the frame that is drawn for picture() or reportPicture()
-  bool started = false;       ///< VTK knows the widget's OpenGL context
-  bool resizing = false;      ///< inside Qt's own frame of a resize
-  bool due = false;           ///< what is to be seen has changed since the last frame
-  QSize drawn;                ///< pixels of the last frame; invalid before the first one in this context
-  double area = 0;            ///< logical pixels of the last resize
-  FrameBudget budget;         ///< what frames have taken so far
-  FramePlan frame;            ///< the frame being drawn
+  bool started = false;               ///< VTK knows the widget's OpenGL context
+  bool resizing = false;              ///< inside Qt's own frame of a resize
+  bool due = false;                   ///< what is to be seen has changed since the last frame
+  QSize drawn;                        ///< pixels of the last frame; invalid before the first one in this context
+  double area = 0;                    ///< logical pixels of the last resize
+  FrameBudget budget;                 ///< what frames have taken so far
+  FramePlan frame;                    ///< the frame being drawn
 
   /// Something moves: simplified frames until kRestMs have passed without another call.
   void touch();

@@ -187,13 +187,19 @@ void VtkWidget::resizeEvent(QResizeEvent* event) {
   scene_->resizing = true;
   QOpenGLWidget::resizeEvent(event);  // draws at once what nobody sees
   scene_->resizing = false;
+  const QSize size = pixels();
+  scene_->interactor->UpdateSize(size.width(), size.height());  // the mouse may come before the first frame
   requestRender();
+}
+
+QSize VtkWidget::pixels() const {
+  const double ratio = devicePixelRatioF();
+  return {qRound(width() * ratio), qRound(height() * ratio)};
 }
 
 void VtkWidget::paintGL() {
   Scene& s = *scene_;
-  const double ratio = devicePixelRatioF();
-  const QSize pixels(qRound(width() * ratio), qRound(height() * ratio));
+  const QSize pixels = this->pixels();
   if (s.resizing || (!std::exchange(s.due, false) && !s.asked)) {
     // Qt composes the window anew for a reason of its own, perhaps with many views in one turn: the last frame will do until
     // this view's own turn
@@ -214,7 +220,7 @@ void VtkWidget::paintGL() {
     s.beforeFrame(quality);
   }
   const double scale = s.frame.scale;
-  s.window->SetDPI(qRound(72 * ratio * scale));
+  s.window->SetDPI(qRound(72 * devicePixelRatioF() * scale));
   vtkOpenGLState* state = s.window->GetState();
   state->Reset();
   state->Push();

@@ -48,6 +48,7 @@ class VtkWidget : public QOpenGLWidget {
  private:
   void releaseGraphics();
   void connectRenderWindow();
+  [[nodiscard]] QSize pixels() const;
   [[nodiscard]] QImage frameOf(FrameQuality quality);
   /// The last frame, stretched; the background where there is none.
   void repeatFrame(const QSize& pixels);

@@ -140,7 +140,12 @@ void CaseOpener::askKinds(const OpenRequest& request, const std::vector<Labelled
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, request] {
     OpenRequest again = request;
-    again.answeredKinds = dialog->chosen();
+    again.options.labelTable = dialog->table();
+    if (again.options.labelTable.empty()) {
+      again.answeredKinds = dialog->chosen();
+    } else {
+      again.readSoFar->segmentation.reset();  // the reader names the labels by the table
+    }
     start(again);
   });
   dialog->open();

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -12,6 +13,7 @@
 
 #include "app/gui/number_text.h"
 #include "app/gui/sentences.h"
+#include "reconstruction/image/label_tables.h"
 #include "reconstruction/image/liver_voxels.h"
 
 namespace glisson {
@@ -50,6 +52,7 @@ LabelDialog::LabelDialog(const std::vector<LabelledMask>& unknown, const ImageGe
   auto* intro = new QLabel(tr("These labels carry no name Glisson knows. Choose what each one is; nothing is guessed."), this);
   intro->setWordWrap(true);
   layout->addWidget(intro);
+  layout->addWidget(makeShortcuts());
 
   auto* list = new QWidget(this);
   auto* grid = new QGridLayout(list);
@@ -68,6 +71,7 @@ LabelDialog::LabelDialog(const std::vector<LabelledMask>& unknown, const ImageGe
     connect(choice, &QComboBox::currentIndexChanged, this, &LabelDialog::updateAccept);
     grid->addWidget(choice, row, 2);
     choices_.push_back(choice);
+    labels_.push_back(label.label);
     ++row;
   }
   auto* scroll = new QScrollArea(this);
@@ -86,8 +90,53 @@ LabelDialog::LabelDialog(const std::vector<LabelledMask>& unknown, const ImageGe
   updateAccept();
 }
 
+QWidget* LabelDialog::makeShortcuts() {
+  auto* line = new QWidget(this);
+  auto* row = new QHBoxLayout(line);
+  row->setContentsMargins(0, 0, 0, 0);
+  table_ = new QComboBox(line);
+  table_->setObjectName("labelTable");
+  table_->addItem(tr("no table: chosen one by one"), QString());
+  for (const auto& [text, id] :
+       {std::pair("TotalSegmentator v2", "totalsegmentator"), std::pair("TotalSegmentator v1", "totalsegmentator-v1"),
+        std::pair("TotalSegmentator MR", "totalsegmentator-mr")}) {
+    table_->addItem(QString::fromLatin1(text), QString::fromLatin1(id));
+  }
+  connect(table_, &QComboBox::currentIndexChanged, this, &LabelDialog::showTable);
+  auto* others = new QPushButton(tr("All others: not part of the model"), line);
+  others->setObjectName("labelOthers");
+  connect(others, &QPushButton::clicked, this, [this] {
+    for (QComboBox* choice : choices_) {
+      if (choice->currentData().toInt() < 0) {
+        choice->setCurrentIndex(choice->findData(static_cast<int>(StructureKind::Other)));
+      }
+    }
+  });
+  row->addWidget(new QLabel(tr("Numbers of"), line));
+  row->addWidget(table_);
+  row->addStretch(1);
+  row->addWidget(others);
+  return line;
+}
+
+void LabelDialog::showTable() {
+  const std::map<int, std::string> names = labelTableNames(table());
+  for (std::size_t n = 0; n < choices_.size(); ++n) {
+    choices_[n]->setEnabled(names.empty());
+    const auto name = names.find(labels_[n]);
+    const bool known = name != names.end();
+    const int kind = known ? static_cast<int>(recogniseKind(name->second).value_or(StructureKind::Other)) : -1;
+    choices_[n]->setCurrentIndex(choices_[n]->findData(kind));
+    choices_[n]->setToolTip(known ? QString::fromStdString(name->second) : QString());
+  }
+  updateAccept();
+}
+
+std::string LabelDialog::table() const { return table_->currentData().toString().toStdString(); }
+
 void LabelDialog::updateAccept() {
-  const bool complete = std::ranges::all_of(choices_, [](const auto& choice) { return choice->currentData().toInt() >= 0; });
+  const bool complete =
+      !table().empty() || std::ranges::all_of(choices_, [](const auto& choice) { return choice->currentData().toInt() >= 0; });
   acceptButton_->setEnabled(complete);
   acceptButton_->setToolTip(complete ? QString() : tr("Choose a kind for every label first."));
 }

@@ -26,8 +26,8 @@
 #include "app/gui/plan_panel.h"
 #include "app/gui/plane_editor.h"
 #include "app/gui/plane_placer.h"
-#include "app/gui/sentences.h"
 #include "app/gui/report_writer.h"
+#include "app/gui/sentences.h"
 #include "app/gui/start_page.h"
 #include "app/gui/start_rating.h"
 #include "app/gui/structure_list.h"
@@ -120,10 +120,7 @@ void MainWindow::connectParts() {
   connect(start_, &StartPage::recentRequested, this, [this](const QString& path) { opener_->openPaths({path}); });
   connect(opener_, &CaseOpener::opened, this,
           [this](const Case& content, const std::shared_ptr<CaseFile>& file, const QStringList&, const QString& noCt) {
-            onOpened(content, file);
-            if (!noCt.isEmpty()) {
-              document_->setNoCt(noCt);
-            }
+            onOpened(content, file, noCt);
           });
   connect(opener_, &CaseOpener::refused, this, &MainWindow::complain);
   connect(builder_, &ModelBuilder::structureFailed, this, &MainWindow::complain);
@@ -221,7 +218,7 @@ void MainWindow::rateModelsOf(const Structure& structure, const ExperimentOption
               [this](const std::exception& error) { complain(messageOf(error)); });
 }
 
-void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& file) {
+void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& file, const QString& noCt) {
   std::error_code ignored;
   if (file && document_->isOpen() && !document_->isReadOnly() &&
       std::filesystem::equivalent(file->path(), document_->path(), ignored)) {
@@ -234,10 +231,13 @@ void MainWindow::onOpened(const Case& content, const std::shared_ptr<CaseFile>& 
   }
   if (document_->isReadOnly()) {
     messages_->add(
-        QStringLiteral("%1 is open in another program or write-protected: changes are kept in a copy of it; save that under another name.")
+        QStringLiteral(
+            "%1 is open in another program or write-protected: changes are kept in a copy of it; save that under another name.")
             .arg(QString::fromStdString(document_->path().string())));
   }
-  if (!content.ct) {
+  if (!noCt.isEmpty()) {
+    document_->setNoCt(noCt);
+  } else if (!content.ct) {
     readCtLater();
   }
   builder_->buildMissing();

@@ -86,7 +86,7 @@ class MainWindow : public Translated<QMainWindow> {
  private:
   void build();
   void connectParts();
-  void onOpened(const Case& content, const std::shared_ptr<CaseFile>& file);
+  void onOpened(const Case& content, const std::shared_ptr<CaseFile>& file, const QString& noCt);
   void onCaseChanged();
   void showWorkspace(Workspace workspace);
   void readCtLater();

@@ -12,8 +12,8 @@
 #include "app/gui/main_window.h"
 #include "app/gui/message_bar.h"
 #include "app/gui/number_text.h"
-#include "app/gui/report_writer.h"
 #include "app/gui/question_box.h"
+#include "app/gui/report_writer.h"
 #include "app/gui/territory_estimator.h"
 #include "app/gui/view_area.h"
 #include "planning/storage/embedded_ct.h"
@@ -127,7 +127,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   ask(this,
       {"lostEditsDialog", tr("Changes are not on disk"), tr("The last changes could not be written and go with the window."),
        QDir::toNativeSeparators(QString::fromStdString(document_->path().string()))},
-      {{"lostEditsSave", tr("Save under another name..."), [this] { saveAs(); }}, {"lostEditsClose", tr("Close and lose them"), lose}});
+      {{"lostEditsSave", tr("Save under another name..."), [this] { saveAs(); }},
+       {"lostEditsClose", tr("Close and lose them"), lose}});
 }
 
 void MainWindow::showAbout() {

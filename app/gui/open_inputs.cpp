@@ -35,7 +35,7 @@ void put(SortedInputs& sorted, InputKind kind, const fs::path& path) {
 }
 
 /// What the folder's entries are, where exactly one of them is a CT and one a segmentation (a patient's folder as 3D-IRCADb ships
-/// it) or one is a case; else nothing.
+/// it) or one is a case, or one is a CT and the other files are masks of one organ each, which the folder is then; else nothing.
 std::optional<SortedInputs> patientFolder(const fs::path& folder, const ExecutionContext& context) {
   constexpr std::size_t kMostEntries = 64;  // a folder of slices is no patient's folder
   std::vector<fs::path> children;
@@ -47,14 +47,21 @@ std::optional<SortedInputs> patientFolder(const fs::path& folder, const Executio
   }
   std::ranges::sort(children);
   SortedInputs inside;
+  bool organs = false;
   for (const fs::path& child : children) {
     const InputKind kind = guessInput(child, context);
     std::optional<fs::path>& slot = kind == InputKind::Ct     ? inside.ct
                                     : kind == InputKind::Case ? inside.caseFile
                                                               : inside.segmentation;
-    if (kind != InputKind::Unknown && std::exchange(slot, child)) {
+    const std::optional<fs::path> other = kind == InputKind::Unknown ? std::nullopt : std::exchange(slot, child);
+    const bool masks = kind == InputKind::Segmentation && fs::is_regular_file(child);
+    if (other && !(masks && fs::is_regular_file(*other))) {
       return std::nullopt;
     }
+    organs = organs || other.has_value();
+  }
+  if (organs) {
+    inside.segmentation = folder;
   }
   const bool pair = inside.ct && inside.segmentation && !inside.caseFile;
   const bool lone = inside.caseFile && !inside.ct && !inside.segmentation;
@@ -114,7 +121,7 @@ std::shared_ptr<const CtVolume> namedCtOrEmbedded(OpenedCase& opened, const Exec
   std::shared_ptr<const CtVolume> ct = embeddedCtOf(opened, context);
   if (ct) {
     opened.content.ctNotes.push_back("The CT at " + opened.content.ctSource +
-                                   " cannot be read: the CT embedded in the case is shown.");
+                                     " cannot be read: the CT embedded in the case is shown.");
   }
   return ct;
 }
@@ -123,7 +130,7 @@ OpenedCase openCaseFile(const fs::path& path, const ExecutionContext& context) {
   OpenedCase opened;
   opened.file = std::make_shared<CaseFile>(CaseFile::open(path));
   opened.content = opened.file->load();
-  std::string& ct = opened.content.ctSource;
+  const std::string& ct = opened.content.ctSource;
   const bool builtIn = ct == kSampleSource;
   const bool there = !ct.empty() && !builtIn && fs::exists(ct);
   if (builtIn || (there && opened.file->ctUnchanged())) {
@@ -142,7 +149,6 @@ OpenedCase openCaseFile(const fs::path& path, const ExecutionContext& context) {
     opened.noCt = "The CT at " + ct +
                   " is not the one this case was made from (its files have changed): its slices are not shown; put the files of "
                   "then back to see them.";
-    ct.clear();
   } else if (opened.content.ct) {
     notes.push_back("The CT of this case is not at " + ct + ": the CT embedded in the case is shown.");
   }

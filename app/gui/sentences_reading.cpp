@@ -205,6 +205,7 @@ constexpr auto kRows = std::to_array<SentenceRow>({
      QT_TRANSLATE_NOOP(
          "Sentence",
          "%1 does not lie on the grid of the CT (labels: %2; CT: %3); choose the right files, or read them all the same.")},
+    {"k", QT_TRANSLATE_NOOP("Sentence", "Not read as a mask: %1, a CT beside the masks.")},
     {"s", QT_TRANSLATE_NOOP("Sentence", "The labels lie on a part of the CT's grid (%1 of its voxels).")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "\"%1\" reaches the border of the labels' grid and may be cut off there.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "\"%1\" has no voxel left on the CT's grid.")},

@@ -38,10 +38,9 @@ constexpr auto kRows = std::to_array<SentenceRow>({
      QT_TRANSLATE_NOOP("Sentence", "%1 has the label %2 of unknown kind; open it again and choose its kind.")},
     {"ks", QT_TRANSLATE_NOOP("Sentence", "%1 could not be reconstructed: %2")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The normal (0, 0, 0) has no direction; enter at least one component.")},
-    {"",
-     QT_TRANSLATE_NOOP("Sentence",
-                       "%1 is open in another program or write-protected: changes are kept in a copy of it; save that under "
-                       "another name.")},
+    {"", QT_TRANSLATE_NOOP("Sentence",
+                           "%1 is open in another program or write-protected: changes are kept in a copy of it; save that under "
+                           "another name.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The change is in no file: save the case under another name.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The plane can be placed as soon as the liver's volumes are computed.")},
     {"knnn",

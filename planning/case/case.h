@@ -26,7 +26,8 @@ struct Case {
   std::vector<ResectionPlan> plans;  ///< never empty after newCase()
   PatientFacts patient;              ///< what the user said for the FLR card
   TerritoryMarks territories{};      ///< what the user said about the territories
-  std::vector<std::string> notes;    ///< what the readers and the model had to say, consents included; all in the report, the consents in the package
+  std::vector<std::string>
+      notes;  ///< what the readers and the model had to say, consents included; all in the report, the consents in the package
   /// What this session has to say of the CT's file, with its path: shown, neither stored nor handed on.
   std::vector<std::string> ctNotes{};
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/io/import/dicom_series.h"
@@ -21,10 +22,17 @@ std::vector<fs::path> imageFilesIn(const fs::path& folder) {
 }
 
 /// A header with its data file beside it is one image: .raw, .zraw and the like are no image names, so nothing is listed twice.
-Segmentation readFolderOfOrgans(const fs::path& folder, const std::vector<fs::path>& files, const ReadOptions& options,
+Segmentation readFolderOfOrgans(const fs::path& folder, std::vector<fs::path> files, const ReadOptions& options,
                                 const ExecutionContext& context) {
   Segmentation result;
   result.source = folder.string();
+  std::erase_if(files, [&](const fs::path& file) {
+    const bool isCt = !kindOfName(stemOf(file), options) && guessKind(file, options) == InputKind::Ct;
+    if (isCt) {
+      result.notes.push_back("Not read as a mask: " + stemOf(file) + ", a CT beside the masks.");
+    }
+    return isCt;
+  });
   bool first = true;
   std::vector<std::string> names;
   std::ranges::transform(files, std::back_inserter(names), stemOf);
@@ -107,12 +115,12 @@ Segmentation importSegmentation(const fs::path& path, const ReadOptions& options
 }
 
 namespace {
-/// From the type and the first values: labels are small and never negative, a CT begins with air.
-InputKind guessFromValues(const ImageFile& file) {
+/// From the type and the values: labels are small and never negative. Nothing where all that was read is zero: it may be padding.
+std::optional<InputKind> guessFromValues(const ImageFile& file) {
   if (file.layers > 1 || !file.segments.empty() || !file.labelNames.empty() || bytesOf(file.scalar) == 1) {
     return InputKind::Segmentation;
   }
-  return withType(file.scalar, [&](auto type) {
+  return withType(file.scalar, [&](auto type) -> std::optional<InputKind> {
     using T = decltype(type);
     double low = 0;
     double high = 0;
@@ -120,6 +128,9 @@ InputKind guessFromValues(const ImageFile& file) {
       const double value = static_cast<double>(valueAt<T>(file.bytes, n)) * file.slope + file.intercept;
       low = std::min(low, value);
       high = std::max(high, value);
+    }
+    if (low == 0 && high == 0) {
+      return std::nullopt;
     }
     return low < 0 || high > 255 ? InputKind::Ct : InputKind::Segmentation;
   });
@@ -153,7 +164,10 @@ InputKind guessKind(const fs::path& path, const ReadOptions& options) {
     }
     ReadOptions peek = options;
     peek.niftiFrame = NiftiFrame::SForm;  // where it lies says nothing about what it is: the reader asks
-    return guessFromValues(readImageFile(path, peek, Extent::Peek));
+    if (const std::optional<InputKind> kind = guessFromValues(readImageFile(path, peek, Extent::Peek))) {
+      return *kind;
+    }
+    return guessFromValues(readImageFile(path, peek)).value_or(InputKind::Segmentation);
   }
   std::string why;
   if (hasDicomMagic(path)) {

@@ -372,6 +372,7 @@ TEST_F(DocumentTest, H6ACaseThatMayOnlyBeReadIsEditedInACopyThatIsKept) {
 }
 
 TEST_F(DocumentTest, H6AnEditThatIsInNoFileIsKnown) {
+  document->flush();
   ASSERT_TRUE(document->keepsAll());
   std::filesystem::remove_all(recovery());
   std::ofstream(recovery()) << "a file where the folder was";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 
@@ -48,7 +49,7 @@ TEST_F(OpenInputsTest, AReplacedCtIsNotShownUnderTheCaseOfAnother_H2) {
   std::filesystem::remove(ct);
   std::filesystem::copy_file(folder_ / "labels.nii.gz", ct);  // the same grid, other values
   const OpenedCase reopened = open({file});
-  EXPECT_EQ(readCtOf(reopened.content), nullptr);
+  EXPECT_EQ(reopened.content.ctSource, ct.string()) << "where it was is not forgotten";
   EXPECT_NE(reopened.noCt.find("is not the one this case was made from"), std::string::npos);
 }
 
@@ -139,6 +140,31 @@ TEST_F(OpenInputsTest, AFolderOfMasksBesideTheCtOpensAsOnePatient) {
   const OpenedCase opened = open({patient});
   EXPECT_TRUE(opened.content.ct);
   EXPECT_EQ(opened.content.model->structures.size(), 7U);
+}
+
+TEST_F(OpenInputsTest, OrganFilesWithTheirCtBesideThemOpenAsOnePatient) {
+  const auto patient = folder_ / "organs";
+  std::filesystem::create_directories(patient);
+  const auto volume = [&](const char* name, const char* type, auto inside, auto outside) {
+    std::ofstream file(patient / name, std::ios::binary);
+    file << "NRRD0004\ntype: " << type << "\ndimension: 3\nspace: left-posterior-superior\nsizes: 16 16 16\n"
+         << "space directions: (2,0,0) (0,2,0) (0,0,2)\nkinds: domain domain domain\nendian: little\nencoding: raw\n"
+         << "space origin: (0,0,0)\n\n";
+    for (int voxel = 0; voxel < 16 * 16 * 16; ++voxel) {
+      const int i = voxel % 16;
+      const bool noise = sizeof(inside) > 1 && voxel % 3 == 0;  // two values alone would be no CT
+      const auto value = static_cast<decltype(inside)>((i >= 4 && i < 12 ? inside : outside) + (noise ? 1 : 0));
+      file.write(reinterpret_cast<const char*>(&value), sizeof(value));
+    }
+  };
+  volume("scan.nrrd", "short", std::int16_t{100}, std::int16_t{-900});
+  volume("liver.nrrd", "unsigned char", std::uint8_t{1}, std::uint8_t{0});
+  volume("portal_vein.nrrd", "unsigned char", std::uint8_t{1}, std::uint8_t{0});
+  const OpenedCase opened = open({patient});
+  EXPECT_TRUE(opened.content.ct);
+  EXPECT_EQ(opened.content.segmentation->structures.size(), 2U);
+  EXPECT_TRUE(std::ranges::any_of(opened.content.notes,
+                                  [](const std::string& note) { return note.starts_with("Not read as a mask: scan"); }));
 }
 
 TEST_F(OpenInputsTest, ACtAloneIsNoCaseAndNamedUntilItsSegmentationIsThere) {

@@ -42,6 +42,7 @@
 #include "planning/exchange/package.h"
 #include "planning/storage/case_file.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/sample/sample_patient.h"
 
 namespace glisson {
 namespace {
@@ -475,6 +476,18 @@ TEST_F(WindowTest, ACaseThatIsDroppedOpensWithItsPlan) {
   EXPECT_TRUE(document().isClean());
 }
 
+TEST_F(WindowTest, H2ACtThatIsNotToBeShownIsNotRead) {
+  Case replaced = smallCase();
+  replaced.ct.reset();
+  replaced.ctSource = kSampleSource;
+  const QString why = "The CT at ct.nii is not the one this case was made from.";
+  emit window->opener().opened(replaced, nullptr, {}, why);
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(document().content().ct);
+  EXPECT_EQ(document().noCt(), why);
+  EXPECT_EQ(document().content().ctSource, kSampleSource);
+}
+
 TEST_F(WindowTest, ACopyWithTheCtSaysItsSizeBeforeItAsksForTheFile) {
   EXPECT_FALSE(find<QAction>("actionSaveCopyWithCt")->isEnabled());
   openSmall();
@@ -502,7 +515,8 @@ void writeCube(const QString& path, const std::string& type, const std::string& 
   for (int voxel = 0; voxel < 32 * 32 * 32; ++voxel) {
     const std::array at{voxel % 32, voxel / 32 % 32, voxel / 1024};
     const bool in = std::ranges::all_of(at, [](int i) { return i >= 8 && i < 24; });
-    const auto value = static_cast<std::int16_t>(in ? inside : outside);
+    const int noise = type == "short" ? voxel % 7 : 0;  // two values alone would be no CT
+    const auto value = static_cast<std::int16_t>((in ? inside : outside) + noise);
     file.write(reinterpret_cast<const char*>(&value), type == "short" ? 2 : 1);
   }
 }
@@ -527,7 +541,7 @@ TEST_F(WindowTest, ACtThatIsOpenedAloneAsksForItsSegmentation) {
 
 TEST_F(WindowTest, AReportSaysEveryConsentAndHandsNoNameOn_H8) {
   Case doubtful = smallCase();
-  doubtful.notes = {"Labels of another patient than the CT's were taken with consent (their PatientID differ).",
+  doubtful.notes = {"Resampled to a regular grid with consent: the gantry was tilted by 4.0 degrees.",
                     "Left out: series 4, head of Small."};
   doubtful.plans.front().name = "Small, plan A";
   emit window->opener().opened(doubtful, nullptr, {});
@@ -539,7 +553,7 @@ TEST_F(WindowTest, AReportSaysEveryConsentAndHandsNoNameOn_H8) {
     reader.start("pdftotext", {"-layout", report, "-"});
     ASSERT_TRUE(reader.waitForFinished());
     const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
-    EXPECT_TRUE(text.contains("Labels of another patient than the CT's were taken with consent")) << text.toStdString();
+    EXPECT_TRUE(text.contains("Resampled to a regular grid with consent")) << text.toStdString();
     EXPECT_EQ(text.contains("Small"), named) << text.toStdString();
   }
 }
@@ -595,7 +609,7 @@ TEST_F(WindowTest, H7ThePackageIsOfThePlanWorkedOn) {
   ASSERT_TRUE(settle());
   const Vec3 origin = document().plane()->origin;
   click("workspaceExport");
-  EXPECT_TRUE(find<QLabel>("exportPlan")->text().contains("Plan 2")) << find<QLabel>("exportPlan")->text().toStdString();
+  EXPECT_TRUE(find<QLabel>("exportPlan")->text().contains("Plan 1 copy")) << find<QLabel>("exportPlan")->text().toStdString();
   QSignalSpy exported(&window->exportPanel(), &ExportPanel::exported);
   QSignalSpy failed(window.get(), &MainWindow::failed);
   window->exportPanel().exportTo(folder.path());
@@ -723,6 +737,30 @@ TEST_F(WindowTest, UnknownLabelsAreAskedForAndNeverGuessed) {
   dialog.findChild<QComboBox*>("labelKind1")->setCurrentIndex(3);
   EXPECT_TRUE(accept->isEnabled());
   EXPECT_EQ(dialog.chosen(), (std::vector{StructureKind::PortalVein, StructureKind::HepaticVein})) << "both are named label 64";
+}
+
+TEST_F(WindowTest, LabelsOfAPublishedTableAreChosenAtOnceAndTheOthersLeftOut) {
+  LabelledMask liver;
+  liver.name = "label 5";
+  liver.label = 5;
+  LabelledMask portal;
+  portal.name = "label 64";
+  portal.label = 64;
+  LabelDialog dialog({liver, portal}, test::smallGrid());
+  auto* accept = dialog.findChild<QPushButton*>("labelAccept");
+  auto* table = dialog.findChild<QComboBox*>("labelTable");
+  EXPECT_EQ(dialog.table(), "") << "nothing is guessed";
+  table->setCurrentIndex(1);
+  EXPECT_TRUE(accept->isEnabled());
+  EXPECT_EQ(dialog.table(), "totalsegmentator");
+  EXPECT_EQ(dialog.chosen(), (std::vector{StructureKind::Liver, StructureKind::PortalVein}));
+  EXPECT_FALSE(dialog.findChild<QComboBox*>("labelKind0")->isEnabled());
+  table->setCurrentIndex(0);
+  EXPECT_FALSE(accept->isEnabled());
+  dialog.findChild<QComboBox*>("labelKind0")->setCurrentIndex(1);
+  dialog.findChild<QPushButton*>("labelOthers")->click();
+  EXPECT_EQ(dialog.chosen(), (std::vector{StructureKind::Liver, StructureKind::Other}));
+  EXPECT_TRUE(accept->isEnabled());
 }
 
 TEST_F(WindowTest, ADoubleClickMaximisesAViewAndRestores) {

@@ -466,8 +466,10 @@ TEST(Package, WhoAcceptedAStructureStandsInPlanJsonAndNobodyIsNull) {
 TEST(PackageIdentity, AConsentIsHandedOnWithoutTheFileItWasGivenFor_H2_H8) {
   const Scratch scratch;
   Case source = syntheticCase();
-  EXPECT_TRUE(Json::parse(readWholeFile(exportPackage(source, scratch.path, stamped()).folder / "plan.json")).at("consents").empty());
-  source.notes = {"Left out: series 4.", "Resampled to a regular grid with consent: between doe_1.dcm and doe_2.dcm there are 5 mm.",
+  EXPECT_TRUE(
+      Json::parse(readWholeFile(exportPackage(source, scratch.path, stamped()).folder / "plan.json")).at("consents").empty());
+  source.notes = {"Left out: series 4.",
+                  "Resampled to a regular grid with consent: between doe_1.dcm and doe_2.dcm there are 5 mm.",
                   "Labels of another patient than the CT's were taken with consent (their PatientID differ)."};
   const std::filesystem::path folder = exportPackage(source, scratch.path / "again", stamped()).folder;
   EXPECT_EQ(Json::parse(readWholeFile(folder / "plan.json")).at("consents"),

@@ -306,5 +306,18 @@ TEST(Import, GuessTellsCtFromLabelsAndCases) {
   EXPECT_EQ(guessInput(folder / "nothing"), InputKind::Unknown);
 }
 
+TEST(Import, ACtWhoseFirstSlicesArePaddingIsNoSegmentation) {
+  const TemporaryFolder folder;
+  ImageGeometry geometry;
+  geometry.size = {128, 64, 100};  // more than the first look reads
+  std::vector<std::uint8_t> values(2 * geometry.voxelCount(), 0);
+  values.back() = 4;  // 1024 HU in the last voxel
+  NiftiOptions shorts;
+  shorts.datatype = 4;
+  shorts.bitpix = 16;
+  writeFile(folder / "scan.nii", nifti(geometry, values, shorts));
+  EXPECT_EQ(guessInput(folder / "scan.nii"), InputKind::Ct);
+}
+
 }  // namespace
 }  // namespace glisson
