@@ -29,6 +29,7 @@ namespace {
 constexpr int kDotsPerInch = 150;
 constexpr double kMarginMm = 15;
 constexpr int kFooterMm = 12;
+constexpr int kViewWidth = 212;  ///< points; three beside each other fill the page
 
 class ReportText {
   Q_DECLARE_TR_FUNCTIONS(glisson::ReportText)
@@ -373,8 +374,10 @@ QString bodyOf(const PlanReport& report) {
   html += QStringLiteral("<table width=\"100%\"><tr>");
   const std::array names{ReportText::tr("from anterior"), ReportText::tr("from superior"), ReportText::tr("from the left")};
   for (std::size_t n = 0; n < names.size(); ++n) {
-    html +=
-        QStringLiteral("<td align=\"center\"><img src=\"view%1\" width=\"212\"><br>%2</td>").arg(n).arg(names[n].toHtmlEscaped());
+    // both sides: with the width alone Qt keeps the aspect on the UI thread only
+    const QSize size = report.views[n].size().scaled(kViewWidth, kViewWidth, Qt::KeepAspectRatio);
+    html += QStringLiteral("<td align=\"center\"><img src=\"view%1\" width=\"%2\" height=\"%3\"><br>%4</td>")
+                .arg(QString::number(n), QString::number(size.width()), QString::number(size.height()), names[n].toHtmlEscaped());
   }
   html += QStringLiteral("</tr></table>") + numbersOf(report) + tumoursOf(report) + notAcceptedOf(report);
   html += paragraph(

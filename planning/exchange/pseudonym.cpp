@@ -1,6 +1,8 @@
 #include "planning/exchange/pseudonym.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "planning/case/case.h"
@@ -11,6 +13,9 @@ namespace glisson {
 namespace {
 
 bool isWordCharacter(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80U; }
+
+/// Words of names that anonymised data bear; in the program's own sentences they name nobody.
+constexpr std::array<std::string_view, 5> kNobody{"anonymised", "anonymized", "anonymous", "liver", "patient"};
 
 /// Lower-case words of a text; a DICOM name "Doe^Jane" has two.
 std::vector<std::string> wordsOf(const std::string& text) {
@@ -44,7 +49,7 @@ std::string pseudonymous(const std::string& text, const std::string& fallback, c
   }
   constexpr std::size_t kTellingLength = 3;  // shorter parts of a name are found only as whole words
   for (const std::string& secret : secrets) {
-    if (secret.empty()) {
+    if (secret.empty() || std::ranges::find(kNobody, secret) != kNobody.end()) {
       continue;
     }
     const bool asWord = std::find(words.begin(), words.end(), secret) != words.end();

@@ -539,6 +539,21 @@ TEST_F(WindowTest, ACtThatIsOpenedAloneAsksForItsSegmentation) {
   EXPECT_EQ(document().content().model->structures.size(), 1U);
 }
 
+TEST_F(WindowTest, TheViewsOfAReportKeepTheirAspect) {
+  openSmallWithPlane();
+  const QString report = folder.filePath("report.pdf");
+  ASSERT_TRUE(writeReport(report));
+  QProcess reader;
+  reader.start("pdfimages", {"-list", report});
+  ASSERT_TRUE(reader.waitForFinished());
+  QStringList rows = QString::fromUtf8(reader.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts);
+  ASSERT_EQ(rows.size(), 2 + 3);
+  for (const QString& row : rows.mid(2)) {
+    const QStringList cells = row.simplified().split(' ');
+    EXPECT_NEAR(cells[12].toInt(), cells[13].toInt(), 5) << "pixels per inch: " << row.toStdString();
+  }
+}
+
 TEST_F(WindowTest, AReportSaysEveryConsentAndHandsNoNameOn_H8) {
   Case doubtful = smallCase();
   doubtful.notes = {"Resampled to a regular grid with consent: the gantry was tilted by 4.0 degrees.",

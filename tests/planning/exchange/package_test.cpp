@@ -14,6 +14,7 @@
 #include "planning/exchange/atomic_file.h"
 #include "planning/exchange/glb_reader.h"
 #include "planning/exchange/mesh_files.h"
+#include "planning/exchange/pseudonym.h"
 #include "planning/exchange/version.h"
 #include "planning/storage/sha256.h"
 #include "reconstruction/errors.h"
@@ -475,6 +476,15 @@ TEST(PackageIdentity, AConsentIsHandedOnWithoutTheFileItWasGivenFor_H2_H8) {
   EXPECT_EQ(Json::parse(readWholeFile(folder / "plan.json")).at("consents"),
             (Json{"Resampled to a regular grid with consent",
                   "Labels of another patient than the CT's were taken with consent (their PatientID differ)."}));
+}
+
+TEST(PackageIdentity, WordsOfAnAnonymisedNameTakeNoSentenceAway) {
+  Case source = syntheticCase();
+  source.identity.patientName = "liver_01^patient";
+  EXPECT_EQ(pseudonymous("The liver of this patient.", "-", source), "The liver of this patient.");
+  EXPECT_EQ(pseudonymous("Plan for liver_01", "-", source), "-");
+  source.identity.patientName = "Patient^Jane";
+  EXPECT_EQ(pseudonymous("Jane's plan", "-", source), "-");
 }
 
 TEST(PackageIdentity, AReviewerWhoBearsThePatientsNameIsNotNamed) {
