@@ -9,6 +9,7 @@
 #include <set>
 
 #include "tests/support/paths.h"
+#include "tests/support/real_data.h"
 
 namespace {
 
@@ -133,6 +134,22 @@ TEST(ProgramTest, TheSamplePatientsPictureShowsTheWholeWindowWithTheModelAndItsR
     }
   }
   EXPECT_GT(colours.size(), 1000U);
+}
+
+TEST(ProgramTest, TheRealPatientsMasksBecomeTheWholeModelInTheWindow) {
+  const auto masks = glisson::test::unpackedIrcadb01Masks();
+  if (!masks) {
+    GTEST_SKIP() << "skipped: no real data";
+  }
+  const QTemporaryDir folder;
+  const Ended ended = glisson({QString::fromStdString((masks->path() / "MASKS_DICOM").string()), "--screenshot",
+                               folder.filePath("out.png"), "--pdf", folder.filePath("out.pdf")});
+  ASSERT_EQ(ended.code, 0) << ended.err.toStdString();
+  EXPECT_FALSE(QImage(folder.filePath("out.png")).isNull());
+  const QString text = textOf(folder.filePath("out.pdf"));
+  EXPECT_NEAR(millilitres(text, "Liver, tumours in it included"), 1488.8, 0.1);
+  EXPECT_EQ(text.count("MCSD sinc 10"), 11) << text.toStdString();
+  EXPECT_EQ(text.count("PSR d=7 unbiased"), 1);
 }
 
 }  // namespace
