@@ -22,15 +22,20 @@ double slackOf(const BentSurface& surface, const Vec3& spacing) {
 
 /// How far above() can be from its value at the box's centre, by the touching plane there and the surface's curvature.
 double reachByCurvature(const BentSurface& surface, const Box& box) {
-  const BendShape::Local local = surface.localAt(box.centre);
-  const double u = surface.u().cwiseAbs().dot(box.half);
-  const double v = surface.v().cwiseAbs().dot(box.half);
-  return (surface.normal() - local.du * surface.u() - local.dv * surface.v()).cwiseAbs().dot(box.half) +
-         0.5 * surface.shape().mostCurved() * (u * u + v * v);
+  const Slab slab = slabOf(box, surface);
+  return slab.slope.cwiseAbs().dot(box.half) + slab.off;
 }
 }  // namespace
 
 bool hasBends(const std::vector<ImageResection>& plan) { return std::any_of(plan.begin(), plan.end(), isBent); }
+
+Slab slabOf(const Box& box, const BentSurface& surface) {
+  const BendShape::Local local = surface.localAt(box.centre);
+  const double u = surface.u().cwiseAbs().dot(box.half);
+  const double v = surface.v().cwiseAbs().dot(box.half);
+  return {surface.normal() - local.du * surface.u() - local.dv * surface.v(),
+          surface.normal().dot(box.centre - surface.origin()) - local.height, 0.5 * surface.shape().mostCurved() * (u * u + v * v)};
+}
 
 ImagePlane planeIn(const Box& voxel, const BentSurface& surface) {
   const BendShape::Local local = surface.localAt(voxel.centre);

@@ -63,6 +63,15 @@ class FlatStretches {
 /// The plane that stands for the surface in one voxel.
 ImagePlane planeIn(const Box& voxel, const BentSurface& surface);
 
+/// The points y, seen from a box's centre, with |slope . y + above| <= off.
+struct Slab {
+  Vec3 slope = Vec3::UnitZ();
+  double above = 0;
+  double off = 0;
+};
+/// Where the surface is within the box, by the plane that touches it under the centre and its curvature.
+Slab slabOf(const Box& box, const BentSurface& surface);
+
 /// How far the surface can be from planeIn() within the voxel, mm, by its curvature.
 double flatteningMm(const Box& voxel, const BentSurface& surface);
 /// The most that flatteningMm() is for any voxel of a plan; 0 for flat ones.
