@@ -13,12 +13,16 @@ namespace glisson {
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double gapTo(const BoxTree::Node& node, const Box& box) {
-  return gap(node.low, node.high, box.centre - box.half, box.centre + box.half);
-}
+struct Extent {
+  explicit Extent(const Box& box) : low(box.centre - box.half), high(box.centre + box.half) {}
+  Vec3 low;
+  Vec3 high;
+};
+
+double gapTo(const BoxTree::Node& node, const Extent& box) { return gap(node.low, node.high, box.low, box.high); }
 
 /// Whether some of the tumour's boxes is within `mm` of the box.
-bool isWithin(const TumourBoxes& tumour, const Box& box, double mm, std::uint32_t of = 0) {
+bool isWithin(const TumourBoxes& tumour, const Extent& box, double mm, std::uint32_t of = 0) {
   const BoxTree::Node& node = tumour.tree.nodes()[of];
   if (!node.isLeaf()) {
     const double left = gapTo(tumour.tree.nodes()[of + 1], box);
@@ -28,8 +32,8 @@ bool isWithin(const TumourBoxes& tumour, const Box& box, double mm, std::uint32_
            (std::max(left, right) <= mm && isWithin(tumour, box, mm, nearer == node.right ? of + 1 : node.right));
   }
   return std::any_of(tumour.tree.order().begin() + node.begin, tumour.tree.order().begin() + node.end, [&](std::uint32_t n) {
-    const Box& part = tumour.boxes[n];
-    return gap(part.centre - part.half, part.centre + part.half, box.centre - box.half, box.centre + box.half) <= mm;
+    const Extent part(tumour.boxes[n]);
+    return gap(part.low, part.high, box.low, box.high) <= mm;
   });
 }
 
@@ -51,7 +55,7 @@ void keepNearer(const TumourBoxes& tumour, const Vec3& point, Nearest& best, std
     }
     return;
   }
-  const Box at{point, Vec3::Zero()};
+  const Extent at({point, Vec3::Zero()});
   const double left = gapTo(tumour.tree.nodes()[of + 1], at);
   const double right = gapTo(tumour.tree.nodes()[node.right], at);
   const std::uint32_t nearer = left <= right ? of + 1 : node.right;
@@ -95,6 +99,29 @@ double leastAlong(const Vec3& way, const Vec3& half, const Slab& slab) {
   return least;
 }
 
+struct Found {
+  CutPiece piece;
+  double leastMm = 0;  ///< how near it is at least
+};
+
+/// What was made before nearer pieces were known may be far away.
+std::vector<CutPiece> within(double mm, std::vector<Found>& found) {
+  std::vector<CutPiece> pieces;
+  for (Found& one : found) {
+    if (one.leastMm <= mm) {
+      pieces.push_back(std::move(one.piece));
+    }
+  }
+  return pieces;
+}
+
+/// All of them, in cutSurface()'s order.
+std::vector<CutPiece> byRun(std::vector<Found>& found) {
+  std::vector<CutPiece> pieces = within(kInfinity, found);
+  std::stable_sort(pieces.begin(), pieces.end(), [](const CutPiece& a, const CutPiece& b) { return a.run < b.run; });
+  return pieces;
+}
+
 bool mayMeet(const Vec3& half, const Slab& slab) { return std::abs(slab.above) <= slab.slope.cwiseAbs().dot(half) + slab.off; }
 }  // namespace
 
@@ -109,6 +136,14 @@ NearSurface::NearSurface(const VoxelRows& tumour, const VoxelRows& liver, const 
       facings_[n] = facingOf(blocks.blocks[n].box);
     }
   });
+}
+
+double NearSurface::Facing::leastTo(const Polygon& polygon) const {
+  double least = kInfinity;
+  for (const Vec3& corner : polygon) {
+    least = std::min(least, way.dot(corner) - end);
+  }
+  return least;
 }
 
 NearSurface::Facing NearSurface::facingOf(const Box& block) const {
@@ -157,49 +192,50 @@ std::vector<NearSurface::Near> NearSurface::nearestFirst(const std::vector<std::
 }
 
 std::vector<CutPiece> NearSurface::pieces(const std::vector<std::size_t>& cut, const std::vector<ImageResection>& plan) const {
-  std::vector<CutPiece> pieces;
   if (tumour_.boxes.empty()) {
-    return pieces;
+    return {};
   }
   constexpr double kSlackMm = 10 * kOnPlaneMm;
   const double flattening = mostFlatteningMm(plan, spacing_) + kSlackMm;
-  Nearest nearest;  // no farther than the nearest piece so far
   const bool flat = !hasBends(plan);
-  std::vector<bool> done(flat ? liver_.runs.size() : 0);
   CutMaker maker(plan, spacing_);
+  Nearest nearest;  // no farther than the nearest piece so far
+  std::vector<Found> found;
+  std::vector<CutPiece> some;
+  std::vector<bool> done(flat ? liver_.runs.size() : 0);
   for (const auto& [least, n] : nearestFirst(cut, plan, flattening)) {
+    const RowBlock& block = blocks_.blocks[n];
+    const Facing& facing = facings_[n];
+    const auto isNear = [&](const Box& box) {
+      return facing.leastTo(box) <= nearest.mm + flattening && isWithin(tumour_, Extent(box), nearest.mm + flattening);
+    };
     if (least > nearest.mm + flattening) {
       break;
     }
-    const RowBlock& block = blocks_.blocks[n];
-    const auto isNear = [&, &facing = facings_[n]](const Box& box) {
-      return facing.leastTo(box) <= nearest.mm + flattening && isWithin(tumour_, box, nearest.mm + flattening);
-    };
     if (!isNear(block.box)) {
       continue;
     }
+    maker.stayWithin(block.box);
     for (std::size_t run = block.begin; run < block.end; ++run) {
       const RowRun& part = blocks_.rows.runs[run];
       const std::size_t whole = blocks_.origin[run];
-      const std::size_t before = pieces.size();
+      some.clear();
       if (!flat) {
-        maker.append(part, whole, pieces, isNear);
+        maker.append(part, whole, some, isNear);
       } else if (!done[whole] && isNear(boxOf(part, spacing_))) {
         done[whole] = true;
-        maker.append(liver_.runs[whole], whole, pieces);
+        maker.append(liver_.runs[whole], whole, some);
       }
-      for (std::size_t piece = before; piece < pieces.size(); ++piece) {
-        const Vec3& corner = pieces[piece].polygon[0];  // the others are hardly nearer
-        if (gapTo(tumour_.tree.nodes()[0], {corner, Vec3::Zero()}) < nearest.mm) {
-          keepNearer(tumour_, corner, nearest);
+      for (CutPiece& piece : some) {
+        const double bound = facing.leastTo(piece.polygon);
+        if (bound < nearest.mm) {
+          keepNearer(tumour_, piece.polygon[0], nearest);  // the other corners are hardly nearer
         }
+        found.push_back({std::move(piece), bound});
       }
     }
   }
-  if (flat) {
-    std::stable_sort(pieces.begin(), pieces.end(), [](const CutPiece& a, const CutPiece& b) { return a.run < b.run; });
-  }
-  return pieces;
+  return flat ? byRun(found) : within(nearest.mm + flattening, found);
 }
 
 }  // namespace glisson

@@ -32,6 +32,7 @@ class NearSurface {
 
     /// No way from the tumour to the box is shorter.
     [[nodiscard]] double leastTo(const Box& box) const { return way.dot(box.centre) - way.cwiseAbs().dot(box.half) - end; }
+    [[nodiscard]] double leastTo(const Polygon& polygon) const;
   };
   using Near = std::pair<double, std::size_t>;  ///< how near the surface in a block is at least, mm; the block
 
