@@ -52,9 +52,9 @@ struct PlanAssessor::Impl {
   Body liver;           ///< L
   Body lesionsInLiver;  ///< T and L
   double tumourMl = 0;
-  std::vector<Part> tumours;       ///< every lesion's own voxels
-  std::vector<TumourBoxes> boxes;  ///< of the tumours
-  std::vector<Part> vessels;       ///< every vessel's voxels inside L
+  std::vector<Part> tumours;      ///< every lesion's own voxels
+  std::vector<NearSurface> near;  ///< around the tumours
+  std::vector<Part> vessels;      ///< every vessel's voxels inside L
   std::uint64_t modelRevision = 0;
 
   [[nodiscard]] double ml(std::int64_t units) const {
@@ -112,7 +112,7 @@ PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>())
     const auto& mask = masks[static_cast<std::size_t>(structure.sourceIndex)].mask;
     if (mask && isLesion(structure.kind)) {
       impl_->tumours.push_back({structure.id, structure.name, Body(*mask, impl_->geometry.spacing)});
-      impl_->boxes.emplace_back(impl_->tumours.back().body.rows, impl_->geometry.spacing);
+      impl_->near.emplace_back(impl_->tumours.back().body.rows, impl_->liver.rows, impl_->liver.blocks, impl_->geometry.spacing);
     } else if (mask && isVessel(structure.kind)) {
       impl_->vessels.push_back({structure.id, structure.name, Body(*mask, impl_->geometry.spacing, &source.liver->liver)});
     }
@@ -306,18 +306,17 @@ std::vector<TumourAssessment> PlanAssessor::Impl::assessTumours(const PlanInImag
   if (tumours.empty()) {
     return assessed;
   }
-  // Islands decide what is left of the surface, so none of it can be left out; of flat planes it is made at once.
+  // Islands decide what is left of the surface, so none of it can be left out.
   std::optional<CutDistance> whole;
   std::vector<std::size_t> cut;
-  if (plan.hasSwitched() || !hasBends(plan.resections)) {
+  if (plan.hasSwitched()) {
     whole.emplace(surfaceOf(liver, geometry.spacing, plan));
   } else {
     cut = cutBlocks(liver.blocks, geometry.spacing, plan.resections);
   }
   const MarginOf margin = [&](std::size_t n) {
-    return whole ? marginOf(boxes[n], geometry.spacing, *whole)
-                 : marginOf(boxes[n], geometry.spacing,
-                            CutDistance(surfaceNear(boxes[n], liver.blocks, cut, geometry.spacing, plan.resections)));
+    return whole ? marginOf(near[n].tumour(), geometry.spacing, *whole)
+                 : marginOf(near[n].tumour(), geometry.spacing, CutDistance(near[n].pieces(cut, plan.resections)));
   };
   parallelFor(tumours.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {

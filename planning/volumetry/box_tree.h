@@ -2,6 +2,8 @@
 // Purpose: axis-parallel boxes in a tree of bounds, for finding what is near (Ericson, Real-Time Collision Detection, 2005, 6.2:
 // built from the top, halved at the median of the longest axis).
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -36,7 +38,12 @@ class BoxTree {
 
 /// How far two boxes are apart; 0 where they meet.
 inline double gap(const Vec3& lowA, const Vec3& highA, const Vec3& lowB, const Vec3& highB) {
-  return (lowB - highA).cwiseMax(lowA - highB).cwiseMax(0.0).norm();
+  double squared = 0;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double apart = std::max(std::max(lowB[axis] - highA[axis], lowA[axis] - highB[axis]), 0.0);
+    squared += apart * apart;
+  }
+  return std::sqrt(squared);
 }
 
 }  // namespace glisson

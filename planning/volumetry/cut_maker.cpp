@@ -1,5 +1,7 @@
 #include "planning/volumetry/cut_maker.h"
 
+#include <algorithm>
+
 #include "planning/volumetry/run_counter.h"
 
 namespace glisson {
@@ -64,6 +66,13 @@ Polygon ownSection(const Box& box, const ImageResection& resection, std::size_t 
   return polygon;
 }
 }  // namespace
+
+bool CutMaker::isCrossed(const Box& box, const std::vector<ImageResection>& flat) {
+  return std::any_of(flat.begin(), flat.end(), [&](const ImageResection& resection) {
+    return std::any_of(resection.planes.begin(), resection.planes.end(),
+                       [&](const ImagePlane& plane) { return sideOf(box, plane) == RunSide::Across; });
+  });
+}
 
 void CutMaker::appendPieces(const Box& box, std::size_t run, const std::vector<ImageResection>& flat,
                             std::vector<CutPiece>& pieces) {

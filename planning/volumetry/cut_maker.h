@@ -18,7 +18,7 @@ class CutMaker {
   void append(const RowRun& run, std::size_t number, std::vector<CutPiece>& pieces, const Wanted& wanted) {
     stretches_.along(run, [&](const RowRun& stretch, const std::vector<ImageResection>& flat) {
       const Box box = boxOf(stretch, spacing_);
-      if (wanted(box)) {
+      if (isCrossed(box, flat) && wanted(box)) {
         appendPieces(box, number, flat, pieces);
       }
     });
@@ -27,10 +27,14 @@ class CutMaker {
     append(run, number, pieces, [](const Box&) { return true; });
   }
 
+  /// Until the next call, all runs lie in this box: they are gone through faster.
+  void stayWithin(const Box& box) { stretches_.stayWithin(box); }
+
   /// False where a box of voxels surely has no piece.
   [[nodiscard]] bool mayCut(const Box& box);
 
  private:
+  [[nodiscard]] static bool isCrossed(const Box& box, const std::vector<ImageResection>& flat);
   void appendPieces(const Box& box, std::size_t run, const std::vector<ImageResection>& flat, std::vector<CutPiece>& pieces);
 
   const std::vector<ImageResection>& plan_;

@@ -39,19 +39,29 @@ class FlatStretches {
     }
   }
 
+  /// What along() is called for lies in this box until the next call: there a single bent plane's slopes are known better, and the
+  /// pieces that it leaves on one side are longer. What is counted of them stays the same.
+  void stayWithin(const Box& box);
+
   /// The same for a box of voxels that every bent plane leaves on one side altogether; null where one may cross it.
   [[nodiscard]] const std::vector<ImageResection>* over(const Box& box);
 
  private:
+  struct Changes {
+    double reach = 0;  ///< of above() within one voxel
+    Range perVoxel;    ///< from one voxel to the next of a run
+  };
   struct Bent {
     const BentSurface* surface = nullptr;
     std::size_t resection = 0;
     std::size_t plane = 0;  ///< in flat_
-    double reach = 0;       ///< of one voxel
     double slack = 0;       ///< how far its stand-ins may be from it, along its normal
-    Range perVoxel;         ///< how above() may change from one voxel to the next of a run
-    int until = 0;          ///< the plane in flat_ is right up to this voxel
+    Changes everywhere;
+    Changes here;
+    int until = 0;  ///< the plane in flat_ is right up to this voxel
   };
+  [[nodiscard]] static Changes changesEverywhere(const BentSurface& surface, const Vec3& spacing);
+  [[nodiscard]] Changes changesWithin(const Box& box, const Bent& bent) const;
   void decide(Bent& bent, const RowRun& rest);
 
   const std::vector<ImageResection>& plan_;
@@ -62,6 +72,15 @@ class FlatStretches {
 
 /// The plane that stands for the surface in one voxel.
 ImagePlane planeIn(const Box& voxel, const BentSurface& surface);
+
+/// The points y, seen from a box's centre, with |slope . y + above| <= off.
+struct Slab {
+  Vec3 slope = Vec3::UnitZ();
+  double above = 0;
+  double off = 0;
+};
+/// Where the surface is within the box, by the plane that touches it under the centre and its curvature.
+Slab slabOf(const Box& box, const BentSurface& surface);
 
 /// How far the surface can be from planeIn() within the voxel, mm, by its curvature.
 double flatteningMm(const Box& voxel, const BentSurface& surface);

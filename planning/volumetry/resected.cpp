@@ -121,6 +121,7 @@ Resected resect(const RowBlocks& blocks, const Vec3& spacing, const std::vector<
     if (flat != nullptr && RunCounter(spacing, *flat, part).countUndivided(block.box, block.voxels)) {
       return;
     }
+    stretches.stayWithin(block.box);
     for (std::size_t run = block.begin; run < block.end; ++run) {
       countRun(blocks.rows.runs[run], spacing, stretches, part);
     }

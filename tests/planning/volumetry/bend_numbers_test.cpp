@@ -256,18 +256,21 @@ TEST(BendNumbers, PiecesNearATumourGiveTheMarginOfAll) {
     const ImageGeometry& g = liver.segmentation->geometry;
     const VoxelRows rows = rowsOf(liver.liver->liver);
     const RowBlocks blocks(rows, g.spacing);
-    const TumourBoxes tumour(rowsOf(liver.liver->tumour), g.spacing);
+    const NearSurface around(rowsOf(liver.liver->tumour), rows, blocks, g.spacing);
     const double size = n % 2 == 0 ? 15 : 50;
     std::vector<ResectionPlane> planes{bentRandomly({12 * randomDirection(random), randomDirection(random)}, random, 20, size)};
     if (n % 3 == 0) {
       planes.emplace_back(10 * randomDirection(random), randomDirection(random));
     }
-    for (const auto& plan : {toImage(planOf({planes}), g), toImage(planOf({{HalfSpace(planes[0])}, planes}), g)}) {
+    const std::vector<ResectionPlane> flat{HalfSpace(planes[0]),
+                                           ResectionPlane(10 * randomDirection(random), randomDirection(random))};
+    for (const auto& plan : {toImage(planOf({planes}), g), toImage(planOf({{flat[0]}, planes}), g), toImage(planOf({{flat[0]}}), g),
+                             toImage(planOf({flat, {flat[1]}}), g)}) {
       const std::vector<CutPiece> all = cutSurface(rows, g.spacing, plan);
-      const std::vector<CutPiece> near = surfaceNear(tumour, blocks, cutBlocks(blocks, g.spacing, plan), g.spacing, plan);
+      const std::vector<CutPiece> near = around.pieces(cutBlocks(blocks, g.spacing, plan), plan);
       ASSERT_EQ(near.empty(), all.empty());
-      const Margin slow = marginOf(tumour, g.spacing, CutDistance(all));
-      const Margin fast = marginOf(tumour, g.spacing, CutDistance(near));
+      const Margin slow = marginOf(around.tumour(), g.spacing, CutDistance(all));
+      const Margin fast = marginOf(around.tumour(), g.spacing, CutDistance(near));
       if (!all.empty()) {
         EXPECT_NEAR(fast.mm, slow.mm, 1e-9) << n;
         if (slow.mm > 1e-3 && (fast.to - slow.to).norm() < 1e-6) {  // of equally short ways another one may be found
