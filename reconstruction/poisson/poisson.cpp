@@ -69,7 +69,7 @@ PoissonResult reconstructPoisson(const OrientedPoints& points, const ImageGeomet
   options.cellMm = frame.cellMm;
   options.bandCells = std::max(3.0F, static_cast<float>(0.75 * geometry.spacing.maxCoeff() / frame.cellMm + 2.0));
   options.pointWeight = parameters.pointWeight;
-  auto levels = poisson::makeLevels(samples, options);
+  auto levels = poisson::makeLevels(samples, options, context);
   poisson::makeRightHandSides(samples, options, levels, context);
   poisson::solveLevels(samples, options, levels, context.range(0.2, 0.8));
   const float iso = poisson::isoValue(samples, levels.back(), context);
