@@ -12,6 +12,7 @@
 #include "reconstruction/poisson/frame.h"
 #include "reconstruction/poisson/iso_value.h"
 #include "reconstruction/poisson/solve.h"
+#include "reconstruction/poisson/support.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -78,6 +79,10 @@ PoissonResult reconstructPoisson(const OrientedPoints& points, const ImageGeomet
   start = Clock::now();
   context.report(0.8, "extract");
   result.mesh = poisson::extractSurface(levels, iso, frame.corner, frame.cellMm, context);
+  if (parameters.sampling == Sampling::Paper && frame.hasEmptyCells()) {
+    levels = {};  // their memory is needed no longer
+    poisson::coarsenUnsupported(samples, frame.corner, frame.cellMm, result.mesh, context);
+  }
   result.extractSeconds = secondsSince(start);
   context.report(1.0, "extract");
   return result;
