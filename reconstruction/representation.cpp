@@ -53,12 +53,13 @@ struct Walls {
   std::size_t inner = 0;
 };
 
-Walls wallsOf(const SurfaceMesh& mesh) {
+Walls wallsOf(const SurfaceMesh& mesh, const ExecutionContext& context) {
   UnionFind sets(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
     sets.unite(t[0], t[1]);
     sets.unite(t[0], t[2]);
   }
+  context.throwIfCancelled();
   std::vector<double> volume(mesh.vertices.size(), 0.0);
   const Vec3 centre = mesh.vertices.front();
   for (const Triangle& t : mesh.triangles) {
@@ -201,13 +202,13 @@ MeshFacts lookAt(const Mask& mask, const ImageGeometry& geometry, StructureKind 
   parallelFor(4, 1, [&](std::size_t task, std::size_t) {
     context.throwIfCancelled();
     if (task == 0) {
-      found.defects = mesh.defects();
+      found.defects = mesh.defects(context);
     } else if (task == 1 && !facts) {
       fresh = factsOf(mask, kind, context);
     } else if (task == 2 && !mesh.triangles.empty()) {
-      found.walls = wallsOf(mesh);
+      found.walls = wallsOf(mesh, context);
     } else if (task == 3 && !mesh.triangles.empty()) {
-      found.rows.emplace(mesh, geometry);
+      found.rows.emplace(mesh, geometry, context);
     }
   });
   if (fresh) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "reconstruction/execution_context.h"
 #include "reconstruction/mesh/surface_mesh.h"
 #include "reconstruction/mesh/union_find.h"
 
@@ -24,8 +25,8 @@ class MeshEdges {
     [[nodiscard]] std::uint32_t triangle() const { return corner() / 3; }
   };
 
-  /// At most 2^31 / 3 triangles: throws std::length_error above.
-  MeshEdges(std::size_t vertexCount, std::span<const Triangle> triangles);
+  /// At most 2^31 / 3 triangles: throws std::length_error above. Polls cancel.
+  MeshEdges(std::size_t vertexCount, std::span<const Triangle> triangles, const ExecutionContext& context = {});
 
   /// Calls visit(span of Side) once per edge, edges by lower then upper vertex; the sides of an edge in the order of triangles.
   template <typename Visit>
@@ -48,10 +49,11 @@ class MeshEdges {
 };
 
 /// Corners of triangles joined to fans: two corners at one vertex belong together where their triangles share an edge there.
-UnionFind cornerFans(std::span<const Triangle> triangles, const MeshEdges& edges);
+UnionFind cornerFans(std::span<const Triangle> triangles, const MeshEdges& edges, const ExecutionContext& context = {});
 
 /// Vertices whose triangles form more than one fan.
-std::size_t countVerticesOfSeveralFans(std::size_t vertexCount, std::span<const Triangle> triangles, const MeshEdges& edges);
+std::size_t countVerticesOfSeveralFans(std::size_t vertexCount, std::span<const Triangle> triangles, const MeshEdges& edges,
+                                       const ExecutionContext& context = {});
 
 /// Gives every fan of triangles a vertex of its own (a copy where a vertex has several): edge-manifold meshes become
 /// vertex-manifold without a triangle changed. Returns the number of copies.

@@ -17,14 +17,19 @@ std::uint64_t InsideRows::rowKey(int j, int k) {
   return (static_cast<std::uint64_t>(k + kShift) << 32U) | static_cast<std::uint64_t>(j + kShift);
 }
 
-InsideRows::InsideRows(const SurfaceMesh& mesh, const ImageGeometry& geometry) {
+InsideRows::InsideRows(const SurfaceMesh& mesh, const ImageGeometry& geometry, const ExecutionContext& context) {
   const Mat3 toIndex = geometry.spacing.cwiseInverse().asDiagonal() * geometry.direction.transpose();
   std::vector<Vec3> vertices(mesh.vertices.size());
   for (std::size_t n = 0; n < vertices.size(); ++n) {
     vertices[n] = toIndex * (mesh.vertices[n] - geometry.origin) - Vec3(kBesideI, kBesideJ, kBesideK);
   }
   const int sense = geometry.leftHanded() ? -1 : 1;
-  for (const Triangle& t : mesh.triangles) {
+  constexpr std::size_t kPoll = 65536;
+  for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
+    if (n % kPoll == 0) {
+      context.throwIfCancelled();
+    }
+    const Triangle& t = mesh.triangles[n];
     addTriangle({vertices[t[0]], vertices[t[1]], vertices[t[2]]}, t);
   }
   for (Crossing& crossing : crossings_) {

@@ -14,7 +14,8 @@ namespace glisson {
 class InsideRows {
  public:
   /// The mesh in mm LPS, closed; `geometry` places the grid. Linear in triangles + rows crossed.
-  InsideRows(const SurfaceMesh& mesh, const ImageGeometry& geometry);
+  /// Polls cancel.
+  InsideRows(const SurfaceMesh& mesh, const ImageGeometry& geometry, const ExecutionContext& context = {});
 
   /// How many voxels of a run lie inside.
   [[nodiscard]] int insideOf(const VoxelRun& run) const;

@@ -96,7 +96,7 @@ std::vector<std::string> MeshDefects::names() const {
   return names;
 }
 
-MeshDefects SurfaceMesh::defects() const {
+MeshDefects SurfaceMesh::defects(const ExecutionContext& context) const {
   MeshDefects defects;
   if (triangles.empty()) {
     defects.noTriangles = true;
@@ -119,9 +119,9 @@ MeshDefects SurfaceMesh::defects() const {
   for (const Triangle& t : checked) {
     defects.degenerateTriangles += isDegenerate(*this, t) ? 1 : 0;
   }
-  const MeshEdges edges(vertices.size(), checked);
+  const MeshEdges edges(vertices.size(), checked, context);
   countEdges(edges, defects);
-  defects.nonManifoldVertices = countVerticesOfSeveralFans(vertices.size(), checked, edges);
+  defects.nonManifoldVertices = countVerticesOfSeveralFans(vertices.size(), checked, edges, context);
   defects.inward = defects.openEdges == 0 && defects.orientationEdges == 0 && signedVolumeMm3(*this) < 0;
   return defects;
 }

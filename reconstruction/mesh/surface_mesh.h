@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reconstruction/execution_context.h"
 #include "reconstruction/image/image_geometry.h"
 
 namespace glisson {
@@ -35,8 +36,9 @@ struct SurfaceMesh {
   std::vector<Triangle> triangles;
 
   [[nodiscard]] bool empty() const { return triangles.empty(); }
-  /// Names every broken invariant but self-intersection (mesh/self_intersection.h). Linear time. An empty mesh is "open".
-  [[nodiscard]] MeshDefects defects() const;
+  /// Names every broken invariant but self-intersection (mesh/self_intersection.h). Linear time. An empty mesh is "open". Polls
+  /// cancel.
+  [[nodiscard]] MeshDefects defects(const ExecutionContext& context = {}) const;
 };
 
 struct Bounds {

@@ -14,6 +14,8 @@ struct Frame {
   int densityLevel = 0;  ///< the finest, up to kernelLevel, whose cells are no narrower than the widest spacing
 
   [[nodiscard]] double cellMmOf(int level) const { return cellMm * (1 << (depth - level)); }
+  /// Cells of the level below the finest are narrower than the slices lie apart: some between the slices hold no `paper` sample.
+  [[nodiscard]] bool hasEmptyCells() const { return densityLevel < depth - 1; }
 };
 
 /// The cube is scale x the samples' largest extent, with room for the kernel around tiny bodies. Depth and kernel are kept from

@@ -58,18 +58,20 @@ VectorField prolonged(const BlockGrid& coarseGrid, const VectorField& v, const B
 
 }  // namespace
 
-std::vector<Level> makeLevels(const CubeSamples& samples, const HierarchyOptions& options) {
+std::vector<Level> makeLevels(const CubeSamples& samples, const HierarchyOptions& options, const ExecutionContext& context) {
   std::vector<Level> levels;
   for (int l = kCoarsestLevel; l <= samples.depth; ++l) {
     levels.emplace_back(l);
   }
   for (std::size_t n = levels.size(); n-- > 0;) {
+    context.throwIfCancelled();
     Level& level = levels[n];
     if (level.grid.level() <= kDenseLevel) {
       level.grid.markAll();
     } else {
       const float cells = options.bandCells / static_cast<float>(1 << (samples.depth - level.grid.level()));
       markNearSamples(samples, std::max(3.0F, cells), level.grid);
+      context.throwIfCancelled();
       if (n + 1 < levels.size()) {
         markParents(levels[n + 1].grid, level.grid);
       }

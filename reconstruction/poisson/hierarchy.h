@@ -25,8 +25,8 @@ struct HierarchyOptions {
 inline constexpr int kCoarsestLevel = 3;
 inline constexpr int kDenseLevel = 6;  ///< 64^3 nodes: cheaper to keep whole than to band
 
-/// The levels' active blocks (index 0 is level 3).
-std::vector<Level> makeLevels(const CubeSamples& samples, const HierarchyOptions& options);
+/// The levels' active blocks (index 0 is level 3). Polls cancel.
+std::vector<Level> makeLevels(const CubeSamples& samples, const HierarchyOptions& options, const ExecutionContext& context = {});
 
 /// f on every level: V is splatted on the kernel level, carried exactly to finer levels (P) and f to coarser ones (P^T).
 void makeRightHandSides(const CubeSamples& samples, const HierarchyOptions& options, std::vector<Level>& levels,

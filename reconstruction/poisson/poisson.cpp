@@ -12,6 +12,7 @@
 #include "reconstruction/poisson/frame.h"
 #include "reconstruction/poisson/iso_value.h"
 #include "reconstruction/poisson/solve.h"
+#include "reconstruction/poisson/support.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -69,7 +70,7 @@ PoissonResult reconstructPoisson(const OrientedPoints& points, const ImageGeomet
   options.cellMm = frame.cellMm;
   options.bandCells = std::max(3.0F, static_cast<float>(0.75 * geometry.spacing.maxCoeff() / frame.cellMm + 2.0));
   options.pointWeight = parameters.pointWeight;
-  auto levels = poisson::makeLevels(samples, options);
+  auto levels = poisson::makeLevels(samples, options, context);
   poisson::makeRightHandSides(samples, options, levels, context);
   poisson::solveLevels(samples, options, levels, context.range(0.2, 0.8));
   const float iso = poisson::isoValue(samples, levels.back(), context);
@@ -78,6 +79,10 @@ PoissonResult reconstructPoisson(const OrientedPoints& points, const ImageGeomet
   start = Clock::now();
   context.report(0.8, "extract");
   result.mesh = poisson::extractSurface(levels, iso, frame.corner, frame.cellMm, context);
+  if (parameters.sampling == Sampling::Paper && frame.hasEmptyCells()) {
+    levels = {};  // their memory is needed no longer
+    poisson::coarsenUnsupported(samples, frame.corner, frame.cellMm, result.mesh, context);
+  }
   result.extractSeconds = secondsSince(start);
   context.report(1.0, "extract");
   return result;

@@ -163,6 +163,7 @@ CubeSamples toCube(const OrientedPoints& points, const Vec3& corner, double cell
       key[n] = mortonOf(blockOfPosition(positions[n], 1.0F / kBlock, (1 << depth) / kBlock));
     }
   });
+  context.throwIfCancelled();
   // Counting sort by block: samples of one block keep their order.
   std::vector<std::uint32_t> place(std::size_t{1} << (3 * (depth - kBlockBits)), 0);
   for (const std::uint32_t k : key) {
@@ -173,6 +174,7 @@ CubeSamples toCube(const OrientedPoints& points, const Vec3& corner, double cell
   for (std::size_t n = 0; n < count; ++n) {
     from[place[key[n]]++] = static_cast<std::uint32_t>(n);
   }
+  context.throwIfCancelled();
   CubeSamples samples;
   samples.depth = depth;
   samples.positions.resize(count);
