@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "cube_file.h"
 #include "planning/storage/case_file.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/sample/sample_patient.h"
@@ -144,22 +145,9 @@ TEST_F(OpenInputsTest, AFolderOfMasksBesideTheCtOpensAsOnePatient) {
 
 TEST_F(OpenInputsTest, OrganFilesWithTheirCtBesideThemOpenAsOnePatient) {
   const auto patient = folder_ / "organs";
-  std::filesystem::create_directories(patient);
-  const auto volume = [&](const char* name, const char* type, auto inside, auto outside) {
-    std::ofstream file(patient / name, std::ios::binary);
-    file << "NRRD0004\ntype: " << type << "\ndimension: 3\nspace: left-posterior-superior\nsizes: 16 16 16\n"
-         << "space directions: (2,0,0) (0,2,0) (0,0,2)\nkinds: domain domain domain\nendian: little\nencoding: raw\n"
-         << "space origin: (0,0,0)\n\n";
-    for (int voxel = 0; voxel < 16 * 16 * 16; ++voxel) {
-      const int i = voxel % 16;
-      const bool noise = sizeof(inside) > 1 && voxel % 3 == 0;  // two values alone would be no CT
-      const auto value = static_cast<decltype(inside)>((i >= 4 && i < 12 ? inside : outside) + (noise ? 1 : 0));
-      file.write(reinterpret_cast<const char*>(&value), sizeof(value));
-    }
-  };
-  volume("scan.nrrd", "short", std::int16_t{100}, std::int16_t{-900});
-  volume("liver.nrrd", "unsigned char", std::uint8_t{1}, std::uint8_t{0});
-  volume("portal_vein.nrrd", "unsigned char", std::uint8_t{1}, std::uint8_t{0});
+  test::writeCube<std::int16_t>(patient / "scan.nrrd", 100, -900);
+  test::writeCube<std::uint8_t>(patient / "liver.nrrd", 1, 0);
+  test::writeCube<std::uint8_t>(patient / "portal_vein.nrrd", 1, 0);
   const OpenedCase opened = open({patient});
   EXPECT_TRUE(opened.content.ct);
   EXPECT_EQ(opened.content.segmentation->structures.size(), 2U);

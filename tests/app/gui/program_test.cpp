@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <set>
 
+#include "pdf_text.h"
 #include "tests/support/paths.h"
 #include "tests/support/real_data.h"
 
@@ -72,17 +73,8 @@ double millilitres(const QString& text, const QString& name) {
   return match.captured(1).remove(',').toDouble();
 }
 
-/// What can be selected in a PDF.
-QString textOf(const QString& path) {
-  QProcess process;
-  process.start("pdftotext", {"-layout", path, "-"});
-  EXPECT_TRUE(process.waitForFinished()) << "pdftotext is missing";
-  EXPECT_EQ(process.exitCode(), 0);
-  return QString::fromUtf8(process.readAllStandardOutput());
-}
-
 void expectReport(const QString& path) {
-  const QString text = textOf(path);
+  const QString text = glisson::test::pdfText(path);
   EXPECT_NEAR(millilitres(text, "Resected") + millilitres(text, "Remnant"), millilitres(text, "Liver, tumours in it included"),
               0.11);
   for (const char* part : {"Resection plan: Plan 1", "tumour 2", "Vessels crossed", "PSR d=7", "Planes", "SHA-256",
@@ -100,7 +92,7 @@ TEST(ProgramTest, TheReportSpeaksTheWindowsLanguage) {
   const QString report = folder.filePath("de.pdf");
   const Ended ended = glisson({"--sample", "--pdf", report, "--lang", "de"});
   ASSERT_EQ(ended.code, 0) << ended.err.toStdString();
-  const QString text = textOf(report);
+  const QString text = glisson::test::pdfText(report);
   for (const char* english : {"Remnant", "Vessels crossed", "safety margin", "clinical use", "Structures", "removed"}) {
     EXPECT_FALSE(text.contains(english, Qt::CaseInsensitive)) << english << "\n" << text.toStdString();
   }
@@ -112,7 +104,7 @@ TEST(ProgramTest, TheReportNamesThePatientOnlyWhenAsked_H8) {
   const QString report = folder.filePath("named.pdf");
   const Ended ended = glisson({"--sample", "--pdf", report, "--identity", "--lang", "en"});
   ASSERT_EQ(ended.code, 0) << ended.err.toStdString();
-  const QString text = textOf(report);
+  const QString text = glisson::test::pdfText(report);
   EXPECT_TRUE(text.contains("Glisson, Sample")) << text.toStdString();
   EXPECT_TRUE(QRegularExpression("\\bid \\S").match(text).hasMatch()) << text.toStdString();
 }
@@ -146,7 +138,7 @@ TEST(ProgramTest, TheRealPatientsMasksBecomeTheWholeModelInTheWindow) {
                                folder.filePath("out.png"), "--pdf", folder.filePath("out.pdf")});
   ASSERT_EQ(ended.code, 0) << ended.err.toStdString();
   EXPECT_FALSE(QImage(folder.filePath("out.png")).isNull());
-  const QString text = textOf(folder.filePath("out.pdf"));
+  const QString text = glisson::test::pdfText(folder.filePath("out.pdf"));
   EXPECT_NEAR(millilitres(text, "Liver, tumours in it included"), 1488.8, 0.1);
   EXPECT_EQ(text.count("MCSD sinc 10"), 11) << text.toStdString();
   EXPECT_EQ(text.count("PSR d=7 unbiased"), 1);

@@ -17,7 +17,6 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QProcess>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollBar>
@@ -28,7 +27,6 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <array>
-#include <fstream>
 
 #include "app/gui/compare_window.h"
 #include "app/gui/export_panel.h"
@@ -38,7 +36,9 @@
 #include "app/gui/plane_placer.h"
 #include "app/gui/title_line.h"
 #include "app/gui/view_area.h"
+#include "cube_file.h"
 #include "main_window_test.h"
+#include "pdf_text.h"
 #include "planning/exchange/package.h"
 #include "planning/storage/case_file.h"
 #include "reconstruction/errors.h"
@@ -65,6 +65,18 @@ class WindowTest : public test::MainWindowTest {
     const QSignalSpy failed(window.get(), &MainWindow::failed);
     window->writeReport(path, named);
     return waitFor([&] { return written.count() + failed.count() > 0; }) && failed.isEmpty();
+  }
+  /// The package's folder; empty where it failed.
+  QString exportPackage() {
+    const QSignalSpy exported(&window->exportPanel(), &ExportPanel::exported);
+    const QSignalSpy failed(window.get(), &MainWindow::failed);
+    window->exportPanel().exportTo(folder.path());
+    if (auto* accept = window->findChild<QPushButton*>("deviationAccept")) {
+      accept->click();
+    }
+    EXPECT_TRUE(waitFor([&] { return exported.count() + failed.count() > 0; }));
+    EXPECT_TRUE(failed.isEmpty()) << failed.front().front().toString().toStdString();
+    return exported.isEmpty() ? QString() : exported.front().front().toString();
   }
   void openSmallWithPlane() {
     openSmall();
@@ -284,10 +296,7 @@ TEST_F(WindowTest, ABentPlaneIsOneStepADragAndFlatAgain) {
   const Bend bent = *document().plane()->bend;
   const QString report = folder.filePath("bent.pdf");
   ASSERT_TRUE(writeReport(report));
-  QProcess reader;
-  reader.start("pdftotext", {"-layout", report, "-"});
-  ASSERT_TRUE(reader.waitForFinished());
-  const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+  const QString text = test::pdfText(report).simplified();
   EXPECT_TRUE(text.contains("v = normal x u along")) << text.toStdString();
   EXPECT_TRUE(text.contains("u running fastest")) << text.toStdString();
   click("moveForward");
@@ -377,10 +386,7 @@ TEST_F(WindowTest, AStructureIsAcceptedByAPersonWhoIsAskedForTheNameOnce) {
   const QString report = folder.filePath("report.pdf");
   ASSERT_TRUE(settle());
   ASSERT_TRUE(writeReport(report));
-  QProcess reader;
-  reader.start("pdftotext", {"-layout", report, "-"});
-  ASSERT_TRUE(reader.waitForFinished());
-  const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+  const QString text = test::pdfText(report).simplified();
   EXPECT_TRUE(text.contains("Not accepted by anybody: liver.")) << text.toStdString();
   EXPECT_EQ(text.count("Dr. A, 20"), 2) << text.toStdString();
   find<QAction>("actionAcceptAll")->trigger();
@@ -505,27 +511,12 @@ TEST_F(WindowTest, ACopyWithTheCtSaysItsSizeBeforeItAsksForTheFile) {
   EXPECT_TRUE(CaseFile::open(folder.filePath("copy.glisson").toStdString()).hasEmbeddedCt());
 }
 
-/// A cube in a box of 32^3 voxels, as CT (type short) or as a segmentation with the one segment "liver".
-void writeCube(const QString& path, const std::string& type, const std::string& more, int inside, int outside) {
-  std::ofstream file(path.toStdString(), std::ios::binary);
-  file << "NRRD0004\ntype: " << type << "\ndimension: 3\nspace: left-posterior-superior\nsizes: 32 32 32\n"
-       << "space directions: (2,0,0) (0,2,0) (0,0,2)\nkinds: domain domain domain\nendian: little\nencoding: raw\n"
-       << "space origin: (0,0,0)\n"
-       << more << "\n";
-  for (int voxel = 0; voxel < 32 * 32 * 32; ++voxel) {
-    const std::array at{voxel % 32, voxel / 32 % 32, voxel / 1024};
-    const bool in = std::ranges::all_of(at, [](int i) { return i >= 8 && i < 24; });
-    const int noise = type == "short" ? voxel % 7 : 0;  // two values alone would be no CT
-    const auto value = static_cast<std::int16_t>((in ? inside : outside) + noise);
-    file.write(reinterpret_cast<const char*>(&value), type == "short" ? 2 : 1);
-  }
-}
-
 TEST_F(WindowTest, ACtThatIsOpenedAloneAsksForItsSegmentation) {
   const QString ct = folder.filePath("ct.nrrd");
   const QString labels = folder.filePath("labels.seg.nrrd");
-  writeCube(ct, "short", "", 100, -50);
-  writeCube(labels, "unsigned char", "Segment0_ID:=a\nSegment0_Name:=liver\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n", 1, 0);
+  test::writeCube<std::int16_t>(ct.toStdString(), 100, -50);
+  test::writeCube<std::uint8_t>(labels.toStdString(), 1, 0,
+                                "Segment0_ID:=a\nSegment0_Name:=liver\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n");
   window->opener().openPaths({ct});
   ASSERT_TRUE(waitFor([&] { return window->findChild<QMessageBox*>("segmentationDialog") != nullptr; }));
   EXPECT_EQ(find<QMessageBox>("segmentationDialog")->informativeText(), ct);
@@ -543,10 +534,7 @@ TEST_F(WindowTest, TheViewsOfAReportKeepTheirAspect) {
   openSmallWithPlane();
   const QString report = folder.filePath("report.pdf");
   ASSERT_TRUE(writeReport(report));
-  QProcess reader;
-  reader.start("pdfimages", {"-list", report});
-  ASSERT_TRUE(reader.waitForFinished());
-  QStringList rows = QString::fromUtf8(reader.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts);
+  const QStringList rows = test::outputOf("pdfimages", {"-list", report}).split('\n', Qt::SkipEmptyParts);
   ASSERT_EQ(rows.size(), 2 + 3);
   for (const QString& row : rows.mid(2)) {
     const QStringList cells = row.simplified().split(' ');
@@ -564,10 +552,7 @@ TEST_F(WindowTest, AReportSaysEveryConsentAndHandsNoNameOn_H8) {
   for (const bool named : {false, true}) {
     const QString report = folder.filePath("report.pdf");
     ASSERT_TRUE(writeReport(report, named));
-    QProcess reader;
-    reader.start("pdftotext", {"-layout", report, "-"});
-    ASSERT_TRUE(reader.waitForFinished());
-    const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    const QString text = test::pdfText(report).simplified();
     EXPECT_TRUE(text.contains("Resampled to a regular grid with consent")) << text.toStdString();
     EXPECT_EQ(text.contains("Small"), named) << text.toStdString();
   }
@@ -580,10 +565,7 @@ TEST_F(WindowTest, AReportThatNamesThePatientIsOfferedOnlyWhereTheCaseKnowsOne_H
   for (const bool named : {false, true}) {
     const QString report = folder.filePath("report.pdf");
     ASSERT_TRUE(writeReport(report, named));
-    QProcess reader;
-    reader.start("pdftotext", {"-layout", report, "-"});
-    ASSERT_TRUE(reader.waitForFinished());
-    const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    const QString text = test::pdfText(report).simplified();
     for (const char* part : {"Small, Patient", "id SP-17", "born 1961-02-03"}) {
       EXPECT_EQ(text.contains(part), named) << part << text.toStdString();
     }
@@ -599,17 +581,11 @@ TEST_F(WindowTest, AReportThatNamesThePatientIsOfferedOnlyWhereTheCaseKnowsOne_H
 
 TEST_F(WindowTest, ThePackageIsExportedAndSound) {
   openSmallWithPlane();
-  QSignalSpy exported(&window->exportPanel(), &ExportPanel::exported);
-  QSignalSpy failed(window.get(), &MainWindow::failed);
   click("workspaceExport");
   EXPECT_TRUE(find<QPushButton>("exportPackage")->isEnabled());
-  window->exportPanel().exportTo(folder.path());
-  if (auto* accept = window->findChild<QPushButton*>("deviationAccept")) {
-    accept->click();
-  }
-  ASSERT_TRUE(waitFor([&] { return exported.count() + failed.count() > 0; }));
-  ASSERT_EQ(failed.count(), 0) << failed.front().front().toString().toStdString();
-  const std::vector<std::string> problems = verifyPackage(exported.front().front().toString().toStdString());
+  const QString package = exportPackage();
+  ASSERT_FALSE(package.isEmpty());
+  const std::vector<std::string> problems = verifyPackage(package.toStdString());
   EXPECT_TRUE(problems.empty()) << problems.front();
   EXPECT_EQ(find<QToolButton>("workspaceExport")->text(), "Export\nexported");
   window->placer().moveBy(1);
@@ -625,15 +601,9 @@ TEST_F(WindowTest, H7ThePackageIsOfThePlanWorkedOn) {
   const Vec3 origin = document().plane()->origin;
   click("workspaceExport");
   EXPECT_TRUE(find<QLabel>("exportPlan")->text().contains("Plan 1 copy")) << find<QLabel>("exportPlan")->text().toStdString();
-  QSignalSpy exported(&window->exportPanel(), &ExportPanel::exported);
-  QSignalSpy failed(window.get(), &MainWindow::failed);
-  window->exportPanel().exportTo(folder.path());
-  if (auto* accept = window->findChild<QPushButton*>("deviationAccept")) {
-    accept->click();
-  }
-  ASSERT_TRUE(waitFor([&] { return exported.count() + failed.count() > 0; }));
-  ASSERT_EQ(failed.count(), 0) << failed.front().front().toString().toStdString();
-  QFile file(exported.front().front().toString() + "/plan.json");
+  const QString package = exportPackage();
+  ASSERT_FALSE(package.isEmpty());
+  QFile file(package + "/plan.json");
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   const QJsonArray written = QJsonDocument::fromJson(file.readAll())["resections"][0]["planes"][0]["originMm"].toArray();
   for (int axis = 0; axis < 3; ++axis) {
