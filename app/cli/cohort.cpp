@@ -65,7 +65,6 @@ int conclude(const CohortToEvaluate& cohort, const GatheredCohort& all) {
   writeFileAtomically(cohort.folder / "cohort.csv", cohortCsv(all));
   writeFileAtomically(cohort.folder / "cohort.json", textOf(cohortJson(all)) + "\n");
   writeFileAtomically(cohort.folder / "cohort.html", cohortHtml(all));
-  clearProgress();
   std::cout << cohort.folder.string() << ": " << cohortText(all);
   return all.statistics.patients == all.patients.size() ? kDone : kCheckFailed;
 }

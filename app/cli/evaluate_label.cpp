@@ -120,7 +120,6 @@ std::optional<Evaluation> evaluateLabel(const LabelToEvaluate& wanted, const Exe
                       evaluation.models.front().failure + ")");
   }
   writeResults(wanted.folder, label, evaluation);
-  clearProgress();
   std::cout << wanted.folder.string() << ": " << run.all() << " models of " << label.chosen.name << ", " << run.made() << " made, "
             << run.kept() << " kept from before, " << evaluation.failed() << " failed\n"
             << summaryText(evaluation);
