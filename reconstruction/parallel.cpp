@@ -1,11 +1,12 @@
 #include "reconstruction/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 
 #ifdef GLISSON_STD_THREADS
-#include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 #else
@@ -59,8 +60,12 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
     }
   };
   std::vector<std::thread> threads;
-  for (std::size_t i = 1; i < std::min(wanted, pieces); ++i) {
-    threads.emplace_back(work);
+  threads.reserve(std::min(wanted, pieces));
+  try {
+    for (std::size_t i = 1; i < std::min(wanted, pieces); ++i) {
+      threads.emplace_back(work);
+    }
+  } catch (const std::system_error&) {  // no more threads to be had: those there are do it
   }
   work();
   for (auto& thread : threads) {
@@ -73,24 +78,44 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
 
 #else
 
+namespace {
+std::atomic<tbb::task_arena*>& limitedArena() {
+  static std::atomic<tbb::task_arena*> arena{nullptr};
+  return arena;
+}
+}  // namespace
+
+/// An arena of its own: the usual one has no more places than the machine has cores, whatever the control allows.
 struct ThreadLimit::Impl {
+  explicit Impl(int threads)
+      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads) {}
   tbb::global_control control;
+  tbb::task_arena arena;
 };
 
-ThreadLimit::ThreadLimit(int threads)
-    : impl_(threads > 0
-                ? new Impl{tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads))}
-                : nullptr) {}
+ThreadLimit::ThreadLimit(int threads) : impl_(threads > 0 ? new Impl(threads) : nullptr) {
+  limitedArena().store(impl_ != nullptr ? &impl_->arena : nullptr);
+}
 
-ThreadLimit::~ThreadLimit() { delete impl_; }
+ThreadLimit::~ThreadLimit() {
+  limitedArena().store(nullptr);
+  delete impl_;
+}
 
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
   // Isolated: a thread that waits for this loop takes no piece of a loop around it, which would hold two pieces' memory at once.
-  tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, count, std::max<std::size_t>(grain, 1)),
-        [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); }, tbb::simple_partitioner());
-  });
+  const auto loop = [&] {
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, count, std::max<std::size_t>(grain, 1)),
+          [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); }, tbb::simple_partitioner());
+    });
+  };
+  if (tbb::task_arena* arena = limitedArena().load()) {
+    arena->execute(loop);
+  } else {
+    loop();
+  }
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/mesh/self_intersection.h"
 #include "reconstruction/mesh/untangle.h"
 #include "reconstruction/methods/methods.h"
 #include "reconstruction/representation.h"
@@ -61,6 +62,7 @@ void removeSelfIntersections(Reconstruction& made, const ExecutionContext& conte
   if (made.parameters.method != Method::Mcsd || (mcsd.smoothing == 0 && mcsd.decimation == 0) || mcsd.splitNormals) {
     return;
   }
+  const Stopwatch watch;
   const std::size_t mostPairs = mcsd.smoothing == 0 ? 0 : made.mesh.triangles.size() / kTrianglesPerPair;
   const Untangled untangled = untangle(made.mesh, mostPairs, context);
   made.defects.selfIntersections = untangled.after;
@@ -69,34 +71,49 @@ void removeSelfIntersections(Reconstruction& made, const ExecutionContext& conte
                          std::to_string(untangled.before) + " self-intersections of smoothing undone by moving " +
                          std::to_string(untangled.movedVertices) + " vertices");
   }
+  made.seconds.selfIntersection += watch.seconds();
 }
 
+/// A surface that cannot be simplified stays as it is, and a note says why: the other sets of a sweep go on.
 void simplifyMesh(Reconstruction& made, const ExecutionContext& context) {
   const Stopwatch watch;
+  const SimplifyTarget& target = *made.parameters.simplify;
   const std::size_t before = made.mesh.triangles.size();
-  made.mesh = simplify(made.mesh, *made.parameters.simplify, context);
+  try {
+    made.mesh = simplify(made.mesh, target, context);
+  } catch (const CheckFailed&) {
+    made.notes.emplace_back("not simplified: only a closed manifold surface can be");
+    made.seconds.simplify += watch.seconds();
+    return;
+  }
   const std::size_t after = made.mesh.triangles.size();
   made.notes.push_back("simplified from " + std::to_string(before) + " to " + std::to_string(after) + " triangles");
-  if (after > made.parameters.simplify->triangles.value_or(after)) {
-    made.notes.push_back("more than " + std::to_string(*made.parameters.simplify->triangles) +
+  if (after > target.triangles.value_or(after)) {
+    made.notes.push_back("more than " + std::to_string(*target.triangles) +
                          " triangles are kept: with fewer the surface would cross itself or lose a piece");
   }
+  if (target.distanceMm && after == before) {
+    made.notes.push_back("no triangle can be spared within " + formatExact(*target.distanceMm) + " mm");
+  }
   made.seconds.simplify += watch.seconds();
+  // The surface that was there before may have crossed itself: its count says nothing about this one.
+  const Stopwatch search;
+  made.defects.selfIntersections = countSelfIntersections(made.mesh, context);
+  made.seconds.selfIntersection += search.seconds();
 }
 
 /// What follows the surface, by any method: the last 15 % of a set's progress.
 void check(const Mask& mask, const ImageGeometry& geometry, StructureKind kind, double psrCellMm, std::optional<MaskFacts>& facts,
            Reconstruction& made, const ExecutionContext& context) {
   context.report(0.85, "checks");
-  const Stopwatch watch;
-  const double simplifiedBefore = made.seconds.simplify;
   removeSelfIntersections(made, context);
   if (made.parameters.simplify) {
     simplifyMesh(made, context.range(0.88, 0.95));
   }
   context.report(0.95, "checks");
+  const Stopwatch watch;
   checkAgainstMask(mask, geometry, kind, psrCellMm, facts, made, context);
-  made.seconds.check = watch.seconds() - (made.seconds.simplify - simplifiedBefore);
+  made.seconds.check = watch.seconds();
   context.report(1.0, "checks");
 }
 

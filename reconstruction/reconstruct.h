@@ -45,7 +45,8 @@ struct ReconstructionParameters {
 
 struct Seconds {
   double sample = 0, solve = 0, extract = 0, smooth = 0, decimate = 0, simplify = 0, check = 0;
-  [[nodiscard]] double total() const { return sample + solve + extract + smooth + decimate + simplify + check; }
+  double selfIntersection = 0;  ///< searched behind smoothing, decimation and simplification, and undone where they are few
+  [[nodiscard]] double total() const { return sample + solve + extract + smooth + decimate + simplify + check + selfIntersection; }
 };
 
 struct Reconstruction {

@@ -131,6 +131,10 @@ void checkCavities(const Mask& mask, const Pieces& cavities, const InsideRows& r
                            " in the mask: thin walls are open");
     }
   }
+  if (innerWalls > cavities.count()) {
+    made.notes.push_back(counted(innerWalls, "cavity", "cavities") + " in the mesh, " + std::to_string(cavities.count()) +
+                         " in the mask");
+  }
 }
 
 void checkEuler(const EulerNumbers& euler, Reconstruction& made) {
@@ -258,12 +262,9 @@ void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, Structure
     noteThinPieces(mask, geometry, pieces, psrCellMm, made);
   }
   const MeshDefects& defects = made.defects;
-  if (defects.noTriangles || defects.openEdges > 0 || defects.orientationEdges > 0 || defects.nonManifoldEdges > 0) {
+  if (defects.noTriangles || defects.openEdges > 0 || defects.orientationEdges > 0) {
     // An open surface has no inside to compare; the defects say so.
     made.meshVolumeMl = std::numeric_limits<double>::quiet_NaN();
-    if (!defects.noTriangles && defects.openEdges == 0 && defects.orientationEdges == 0) {
-      made.meshVolumeMl = signedVolumeMm3(made.mesh) * kMlPerMm3;
-    }
     std::uint32_t count = 0;
     componentOfTriangles(made.mesh, count);
     made.meshComponents = count;
@@ -273,7 +274,9 @@ void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, Structure
     context.throwIfCancelled();
     checkPieces(*facts, *found.rows, made);
     checkCavities(mask, facts->cavities, *found.rows, found.walls.inner, made);
-    checkEuler(facts->euler, made);
+    if (defects.nonManifoldEdges == 0) {
+      checkEuler(facts->euler, made);
+    }
     if (isVessel(kind)) {
       checkCentreline(facts->centreline, *found.rows, made);
     }

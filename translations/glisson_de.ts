@@ -2833,6 +2833,14 @@
         <source>Not read as a mask: %1, a CT beside the masks.</source>
         <translation>Nicht als Maske gelesen: %1, eine CT neben den Masken.</translation>
     </message>
+    <message>
+        <source>not simplified: only a closed manifold surface can be</source>
+        <translation>nicht vereinfacht: Das geht nur bei einer geschlossenen, mannigfaltigen Oberfläche</translation>
+    </message>
+    <message>
+        <source>no triangle can be spared within %1 mm</source>
+        <translation>innerhalb von %1 mm ist kein Dreieck zu entbehren</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>

@@ -63,6 +63,9 @@ Measures measure(const Flags& flags, const ExecutionContext& context) {
     const ChosenMask chosen = chooseMask(segmentation, flags.choice);
     try {
       m.paperErrorMm = paperError(m.mesh, *chosen.mask, segmentation.geometry, context);
+      if (!m.paperErrorMm) {
+        m.notes.emplace_back("no paper error: no voxel of the reference has a normal");
+      }
       m.voxelErrorMm = voxelError(m.mesh, *chosen.mask, segmentation.geometry, context);
     } catch (const ReconstructionError&) {
       throw ReconstructionError(flags.reference + ", " + chosen.name +
@@ -82,8 +85,8 @@ void printJson(const Measures& m) {
                {"eulerCharacteristic", eulerCharacteristic(m.mesh)},
                {"components", m.components},
                {"meanGaussianCurvaturePerMm2", number(m.curvature.trimmedPerMm2)}};
-  if (m.paperErrorMm) {
-    json["paperErrorMm"] = toJson(*m.paperErrorMm);
+  if (m.voxelErrorMm) {
+    json["paperErrorMm"] = toJson(m.paperErrorMm);
     json["voxelErrorMm"] = toJson(*m.voxelErrorMm);
   }
   std::cout << textOf(json) << '\n';
@@ -107,6 +110,8 @@ void printText(const Flags& flags, const Measures& m) {
             << " triangles below 1e-6 mm2\n";
   if (m.paperErrorMm) {
     printErrors("paper error", *m.paperErrorMm);
+  }
+  if (m.voxelErrorMm) {
     printErrors("voxel error", *m.voxelErrorMm);
   }
   for (const std::string& note : m.notes) {

@@ -24,14 +24,20 @@ Json toJson(const ErrorSummary& errors) {
   return {{"mean", errors.mean}, {"median", errors.median}, {"p95", errors.p95}, {"max", errors.max}};
 }
 
+Json toJson(const std::optional<ErrorSummary>& errors) { return errors ? toJson(*errors) : Json(nullptr); }
+
 Json toJson(const Reconstruction& result, const ReconstructReport& report) {
   const Seconds& seconds = result.seconds;
   Json json;
-  // MCSD's decimation and smoothing belong to the extraction. Self-intersections are counted by `measure` and on export.
-  json["seconds"] = {{"load", report.loadSeconds},   {"sample", seconds.sample},
-                     {"solve", seconds.solve},       {"extract", seconds.extract + seconds.decimate + seconds.smooth},
-                     {"simplify", seconds.simplify}, {"check", seconds.check},
-                     {"selfIntersection", 0},        {"write", report.writeSeconds}};
+  // MCSD's decimation and smoothing belong to the extraction.
+  json["seconds"] = {{"load", report.loadSeconds},
+                     {"sample", seconds.sample},
+                     {"solve", seconds.solve},
+                     {"extract", seconds.extract + seconds.decimate + seconds.smooth},
+                     {"simplify", seconds.simplify},
+                     {"check", seconds.check},
+                     {"selfIntersection", seconds.selfIntersection},
+                     {"write", report.writeSeconds}};
   json["triangles"] = result.mesh.triangles.size();
   json["vertices"] = result.mesh.vertices.size();
   json["volumeMl"] = number(result.meshVolumeMl);

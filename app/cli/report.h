@@ -15,8 +15,8 @@ struct ReconstructReport {
   double loadSeconds = 0;
   double writeSeconds = 0;
   std::optional<double> peakGrowthMb;
-  ErrorSummary paperErrorMm;
-  ErrorSummary voxelErrorMm;
+  std::optional<ErrorSummary> paperErrorMm;
+  std::optional<ErrorSummary> voxelErrorMm;
   int threads = 0;
 };
 
@@ -25,6 +25,7 @@ std::string textOf(const Json& json);
 /// Not finite becomes null: JSON has no word for it.
 Json number(double value);
 Json toJson(const ErrorSummary& errors);
+Json toJson(const std::optional<ErrorSummary>& errors);
 Json toJson(const Reconstruction& result, const ReconstructReport& report);
 
 }  // namespace glisson::cli

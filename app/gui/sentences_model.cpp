@@ -72,6 +72,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "The point weight must be a number of 0 or more.")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "The scale must be above 1 and at most 4, not %1.")},
     {"nnn", QT_TRANSLATE_NOOP("Sentence", "%1 of %2 self-intersections of smoothing undone by moving %3 vertices")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "not simplified: only a closed manifold surface can be")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "no triangle can be spared within %1 mm")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "PSR d=%1 paper")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "PSR d=%1 unbiased")},
     {"", QT_TRANSLATE_NOOP("Sentence", "PSR d=auto paper")},

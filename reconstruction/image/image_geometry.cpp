@@ -16,8 +16,6 @@ std::size_t ImageGeometry::voxelCount() const {
 
 double ImageGeometry::voxelVolumeMm3() const { return spacing.prod(); }
 
-Vec3 ImageGeometry::toWorld(const Vec3& index) const { return origin + direction * spacing.cwiseProduct(index); }
-
 Vec3 ImageGeometry::toIndex(const Vec3& world) const { return (direction.transpose() * (world - origin)).cwiseQuotient(spacing); }
 
 Mat3 ImageGeometry::indexToWorldMatrix() const { return direction * spacing.asDiagonal(); }

@@ -22,7 +22,10 @@ struct ImageGeometry {
   [[nodiscard]] std::size_t voxelCount() const;
   [[nodiscard]] double voxelVolumeMm3() const;
   /// Continuous index -> world. Index (i,j,k) is the voxel's centre; its box is +-0.5.
-  [[nodiscard]] Vec3 toWorld(const Vec3& index) const;
+  [[nodiscard]] Vec3 toWorld(const Vec3& index) const {
+    const Vec3 mm = spacing.cwiseProduct(index);
+    return origin + (mm[0] * direction.col(0) + mm[1] * direction.col(1) + mm[2] * direction.col(2));
+  }
   [[nodiscard]] Vec3 toIndex(const Vec3& world) const;
   /// direction * diag(spacing): columns are the steps of one voxel in mm.
   [[nodiscard]] Mat3 indexToWorldMatrix() const;

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "reconstruction/errors.h"
 #include "reconstruction/mcsd/mcsd.h"
 #include "reconstruction/parallel.h"
 #include "reconstruction/poisson/poisson.h"
@@ -202,8 +203,17 @@ ErrorSummary summarise(std::vector<double> distances) {
   return {sum / static_cast<double>(distances.size()), ranked(0.5), ranked(0.95), distances.back()};
 }
 
-ErrorSummary paperError(const SurfaceMesh& mesh, const Mask& mask, const ImageGeometry& geometry, const ExecutionContext& context) {
-  const OrientedPoints points = sampleBoundary(mask, geometry, Sampling::Paper, context);
+std::optional<ErrorSummary> paperError(const SurfaceMesh& mesh, const Mask& mask, const ImageGeometry& geometry,
+                                       const ExecutionContext& context) {
+  if (mask.empty()) {
+    throw ReconstructionError("The mask is empty, so there is no surface to make; choose another structure.");
+  }
+  OrientedPoints points;
+  try {
+    points = sampleBoundary(mask, geometry, Sampling::Paper, context);
+  } catch (const ReconstructionError&) {
+    return std::nullopt;
+  }
   return summarise(MeshDistance(mesh).to(points.positions, context));
 }
 

@@ -5,6 +5,7 @@
 // volume tree with median splits.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,13 +57,14 @@ struct ErrorSummary {
 /// Percentiles are the nearest rank.
 ErrorSummary summarise(std::vector<double> distances);
 
-/// method.md 4, paperError: from all inside-surface voxel centres of the mask to the mesh. Throws ReconstructionError on an empty
-/// mask, std::invalid_argument on an empty mesh.
-ErrorSummary paperError(const SurfaceMesh& mesh, const Mask& mask, const ImageGeometry& geometry,
-                        const ExecutionContext& context = {});
+/// method.md 4, paperError: from all inside-surface voxel centres of the mask to the mesh. Nothing where no voxel of the mask has
+/// a normal (voxels by themselves). Throws ReconstructionError on an empty mask, std::invalid_argument on an empty mesh.
+std::optional<ErrorSummary> paperError(const SurfaceMesh& mesh, const Mask& mask, const ImageGeometry& geometry,
+                                       const ExecutionContext& context = {});
 
 /// method.md 4, voxelError: between the mesh and the 0.5 level set of the mask (marching cubes, neither smoothed nor decimated),
-/// from the vertices of each to the surface of the other, both directions pooled. Throws as paperError().
+/// from the vertices of each to the surface of the other, both directions pooled. Throws ReconstructionError on an empty mask,
+/// std::invalid_argument on an empty mesh.
 ErrorSummary voxelError(const SurfaceMesh& mesh, const Mask& mask, const ImageGeometry& geometry,
                         const ExecutionContext& context = {});
 

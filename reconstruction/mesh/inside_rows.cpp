@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace glisson {
 
@@ -12,12 +13,8 @@ constexpr double kBesideJ = 0.00173;
 constexpr double kBesideK = 0.00097;
 }  // namespace
 
-std::uint64_t InsideRows::rowKey(int j, int k) {
-  constexpr std::int64_t kShift = std::int64_t{1} << 31;
-  return (static_cast<std::uint64_t>(k + kShift) << 32U) | static_cast<std::uint64_t>(j + kShift);
-}
-
-InsideRows::InsideRows(const SurfaceMesh& mesh, const ImageGeometry& geometry, const ExecutionContext& context) {
+InsideRows::InsideRows(const SurfaceMesh& mesh, const ImageGeometry& geometry, const ExecutionContext& context)
+    : rowsJ_(geometry.size[1]), rowsK_(geometry.size[2]) {
   const Mat3 toIndex = geometry.spacing.cwiseInverse().asDiagonal() * geometry.direction.transpose();
   std::vector<Vec3> vertices(mesh.vertices.size());
   for (std::size_t n = 0; n < vertices.size(); ++n) {
@@ -25,27 +22,46 @@ InsideRows::InsideRows(const SurfaceMesh& mesh, const ImageGeometry& geometry, c
   }
   const int sense = geometry.leftHanded() ? -1 : 1;
   constexpr std::size_t kPoll = 65536;
+  std::vector<Crossing> crossings;
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     if (n % kPoll == 0) {
       context.throwIfCancelled();
     }
     const Triangle& t = mesh.triangles[n];
-    addTriangle({vertices[t[0]], vertices[t[1]], vertices[t[2]]}, t);
+    addTriangle({vertices[t[0]], vertices[t[1]], vertices[t[2]]}, t, crossings);
   }
-  for (Crossing& crossing : crossings_) {
+  for (Crossing& crossing : crossings) {
     crossing.enters *= sense;
   }
-  std::sort(crossings_.begin(), crossings_.end(),
-            [](const Crossing& x, const Crossing& y) { return x.row != y.row ? x.row < y.row : x.i < y.i; });
+  sortByRow(crossings);
 }
 
-void InsideRows::addTriangle(const std::array<Vec3, 3>& at, const Triangle& corners) {
+void InsideRows::sortByRow(const std::vector<Crossing>& crossings) {
+  first_.assign(static_cast<std::size_t>(rowsJ_) * static_cast<std::size_t>(rowsK_) + 1, 0);
+  for (const Crossing& crossing : crossings) {
+    ++first_[crossing.row + 1];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  crossings_.resize(crossings.size());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (const Crossing& crossing : crossings) {
+    // A row has a few, so each goes straight to its place among those before it.
+    std::uint32_t at = next[crossing.row]++;
+    for (; at > first_[crossing.row] && crossings_[at - 1].i > crossing.i; --at) {
+      crossings_[at] = crossings_[at - 1];
+    }
+    crossings_[at] = crossing;
+  }
+}
+
+void InsideRows::addTriangle(const std::array<Vec3, 3>& at, const Triangle& corners, std::vector<Crossing>& crossings) const {
   const auto [lowJ, highJ] = std::minmax({at[0][1], at[1][1], at[2][1]});
   const auto [lowK, highK] = std::minmax({at[0][2], at[1][2], at[2][2]});
-  const int firstJ = static_cast<int>(std::ceil(lowJ));
-  const int lastJ = static_cast<int>(std::floor(highJ));
-  const int firstK = static_cast<int>(std::ceil(lowK));
-  const int lastK = static_cast<int>(std::floor(highK));
+  const auto inGrid = [](double row, int rows) { return static_cast<int>(std::clamp(row, -1.0, static_cast<double>(rows))); };
+  const int firstJ = std::max(inGrid(std::ceil(lowJ), rowsJ_), 0);
+  const int lastJ = std::min(inGrid(std::floor(highJ), rowsJ_), rowsJ_ - 1);
+  const int firstK = std::max(inGrid(std::ceil(lowK), rowsK_), 0);
+  const int lastK = std::min(inGrid(std::floor(highK), rowsK_), rowsK_ - 1);
   for (int k = firstK; k <= lastK; ++k) {
     for (int j = firstJ; j <= lastJ; ++j) {
       std::array<double, 3> area{};
@@ -66,20 +82,22 @@ void InsideRows::addTriangle(const std::array<Vec3, 3>& at, const Triangle& corn
       if ((left == 0 || left == 3) && sum != 0) {
         const double i = (area[0] * at[0][0] + area[1] * at[1][0] + area[2] * at[2][0]) / sum;
         // Counter-clockwise seen along +i from outside is where the ray leaves.
-        crossings_.push_back({rowKey(j, k), i, left == 3 ? -1 : 1});
+        crossings.push_back({i, static_cast<std::uint32_t>(j) + static_cast<std::uint32_t>(rowsJ_) * static_cast<std::uint32_t>(k),
+                             left == 3 ? -1 : 1});
       }
     }
   }
 }
 
 int InsideRows::insideOf(const VoxelRun& run) const {
-  const std::uint64_t row = rowKey(run.j, run.k);
-  auto at =
-      std::lower_bound(crossings_.begin(), crossings_.end(), row, [](const Crossing& x, std::uint64_t r) { return x.row < r; });
+  if (run.j < 0 || run.j >= rowsJ_ || run.k < 0 || run.k >= rowsK_) {
+    return 0;
+  }
+  const std::size_t row = static_cast<std::size_t>(run.j) + static_cast<std::size_t>(rowsJ_) * static_cast<std::size_t>(run.k);
   int inside = 0;
   int depth = 0;
   int from = run.begin;
-  for (; at != crossings_.end() && at->row == row && from < run.end; ++at) {
+  for (auto at = crossings_.begin() + first_[row]; at != crossings_.begin() + first_[row + 1] && from < run.end; ++at) {
     const int to = std::clamp(static_cast<int>(std::ceil(std::clamp(at->i, -1e9, 1e9))), from, run.end);
     inside += depth > 0 ? to - from : 0;
     from = to;

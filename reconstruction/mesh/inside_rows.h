@@ -17,20 +17,24 @@ class InsideRows {
   /// Polls cancel.
   InsideRows(const SurfaceMesh& mesh, const ImageGeometry& geometry, const ExecutionContext& context = {});
 
-  /// How many voxels of a run lie inside.
+  /// How many voxels of a run lie inside. Runs beyond the grid have none.
   [[nodiscard]] int insideOf(const VoxelRun& run) const;
   [[nodiscard]] bool isInside(int i, int j, int k) const { return insideOf({i, i + 1, j, k, 0}) == 1; }
 
  private:
   struct Crossing {
-    std::uint64_t row;
     double i;
-    int enters;  ///< +1 where the ray enters, -1 where it leaves
+    std::uint32_t row;  ///< j + rowsJ_ * k
+    int enters;         ///< +1 where the ray enters, -1 where it leaves
   };
-  void addTriangle(const std::array<Vec3, 3>& at, const Triangle& corners);
-  [[nodiscard]] static std::uint64_t rowKey(int j, int k);
+  void addTriangle(const std::array<Vec3, 3>& at, const Triangle& corners, std::vector<Crossing>& crossings) const;
+  /// By row, then i.
+  void sortByRow(const std::vector<Crossing>& crossings);
 
-  std::vector<Crossing> crossings_;  ///< by row, then i
+  int rowsJ_;
+  int rowsK_;
+  std::vector<Crossing> crossings_;   ///< by row, then i
+  std::vector<std::uint32_t> first_;  ///< of each row, and the end of the last
 };
 
 }  // namespace glisson

@@ -131,6 +131,14 @@ Pieces joined(Rows rows, Neighbours neighbours) {
   return pieces;
 }
 
+void setBits(std::uint64_t* words, int begin, int end) {
+  for (int at = begin; at < end;) {
+    const int next = std::min(end, (at / 64 + 1) * 64);
+    words[at / 64] |= (~std::uint64_t{0} >> static_cast<unsigned>(64 - (next - at))) << static_cast<unsigned>(at % 64);
+    at = next;
+  }
+}
+
 /// Rows of a mask as bits, 64 voxels a word, with an empty row on every side.
 class BitRows {
  public:
@@ -140,58 +148,35 @@ class BitRows {
     for (int k = 0; k < nk_; ++k) {
       for (int j = 0; j < nj_; ++j) {
         std::uint64_t* out = bits_.data() + offset(j, k);
-        forRuns(rowOf(mask, j, k), mask.box().size[0], [&](int begin, int end) {
-          for (int i = begin; i < end; ++i) {
-            out[i / 64] |= std::uint64_t{1} << static_cast<unsigned>(i % 64);
-          }
-        });
+        forRuns(rowOf(mask, j, k), mask.box().size[0], [&](int begin, int end) { setBits(out, begin, end); });
       }
     }
   }
   [[nodiscard]] int rowsJ() const { return nj_; }
   [[nodiscard]] int rowsK() const { return nk_; }
-  /// The number of runs in the row that `combine` makes of (j-1,k-1), (j,k-1), (j-1,k), (j,k).
-  template <typename Combine>
-  [[nodiscard]] long long runs(int j, int k, Combine&& combine) const {
-    const std::uint64_t* a = bits_.data() + offset(j - 1, k - 1);
-    const std::uint64_t* b = bits_.data() + offset(j, k - 1);
-    const std::uint64_t* c = bits_.data() + offset(j - 1, k);
-    const std::uint64_t* d = bits_.data() + offset(j, k);
-    long long starts = 0;
-    std::uint64_t carry = 0;
-    for (std::size_t n = 0; n < words_; ++n) {
-      const std::uint64_t word = combine(a[n], b[n], c[n], d[n]);
-      starts += std::popcount(word & ~((word << 1U) | carry));
-      carry = word >> 63U;
-    }
-    return starts;
-  }
-  /// Blocks of 2 x 2 x 2 voxels whose only two set voxels (unset ones where `invert` is all ones) are opposite corners.
-  [[nodiscard]] long long lonePairs(int j, int k, std::uint64_t invert) const {
-    const std::array<std::size_t, 4> row{offset(j - 1, k - 1), offset(j, k - 1), offset(j - 1, k), offset(j, k)};
-    long long pairs = 0;
+  /// Calls visit(now, before) for every 64 places of the rows (j-1,k-1), (j,k-1), (j-1,k), (j,k): their voxels there, and those one
+  /// place before along i. Left out where all of them are alike: nothing begins there.
+  template <typename Visit>
+  void forMixedWords(int j, int k, Visit&& visit) const {
+    const std::array<const std::uint64_t*, 4> row{bits_.data() + offset(j - 1, k - 1), bits_.data() + offset(j, k - 1),
+                                                  bits_.data() + offset(j - 1, k), bits_.data() + offset(j, k)};
+    std::array<std::uint64_t, 4> carry{};
     for (std::size_t n = 0; n < words_; ++n) {
       std::array<std::uint64_t, 4> now{};
-      std::array<std::uint64_t, 4> before{};  // the voxel before along i
+      std::array<std::uint64_t, 4> before{};
       std::uint64_t any = 0;
+      std::uint64_t all = ~std::uint64_t{0};
       for (std::size_t r = 0; r < 4; ++r) {
-        const std::uint64_t carry = n > 0 ? bits_[row[r] + n - 1] >> 63U : 0;
-        now[r] = bits_[row[r] + n] ^ invert;
-        before[r] = ((bits_[row[r] + n] << 1U) | carry) ^ invert;
+        now[r] = row[r][n];
+        before[r] = (now[r] << 1U) | carry[r];
+        carry[r] = now[r] >> 63U;
         any |= now[r] | before[r];
+        all &= now[r] & before[r];
       }
-      if (any == 0) {
-        continue;
-      }
-      for (std::size_t r = 0; r < 4; ++r) {
-        std::uint64_t others = before[3 - r] | now[r];
-        for (std::size_t other = 0; other < 4; ++other) {
-          others |= other == r || other == 3 - r ? 0 : now[other] | before[other];
-        }
-        pairs += std::popcount(before[r] & now[3 - r] & ~others);
+      if (any != 0 && ~all != 0) {
+        visit(now, before);
       }
     }
-    return pairs;
   }
 
  private:
@@ -203,6 +188,26 @@ class BitRows {
   int nk_;
   std::vector<std::uint64_t> bits_;
 };
+
+using Words = std::array<std::uint64_t, 4>;
+
+/// Places whose block of 2 x 2 x 2 voxels has only two set, at opposite corners.
+int lonePairs(const Words& now, const Words& before) {
+  int pairs = 0;
+  for (std::size_t r = 0; r < 4; ++r) {
+    std::uint64_t others = before[3 - r] | now[r];
+    for (std::size_t other = 0; other < 4; ++other) {
+      others |= other == r || other == 3 - r ? 0 : now[other] | before[other];
+    }
+    pairs += std::popcount(before[r] & now[3 - r] & ~others);
+  }
+  return pairs;
+}
+
+Words inverted(const Words& words) { return {~words[0], ~words[1], ~words[2], ~words[3]}; }
+
+/// Runs that begin at these places in a row, or in what is made of several.
+int starts(std::uint64_t now, std::uint64_t before) { return std::popcount(now & ~before); }
 }  // namespace
 
 Pieces piecesOf(const Mask& mask, Neighbours neighbours) { return joined(foreground(mask), neighbours); }
@@ -232,19 +237,18 @@ GLISSON_WIDE EulerNumbers eulerNumbers(const Mask& mask) {
   // Cells along i cancel but for one a run: of the voxels (d), of what lies between two rows, and of what lies between four. A
   // closed cell between rows is there where any of them is set (26), an open one where all are (6).
   const BitRows rows(mask);
-  using Word = std::uint64_t;
   for (int k = 0; k <= rows.rowsK(); ++k) {
     for (int j = 0; j <= rows.rowsJ(); ++j) {
-      const long long own = rows.runs(j, k, [](Word, Word, Word, Word d) { return d; });
-      euler.facesEdgesCorners += own - rows.runs(j, k, [](Word, Word, Word c, Word d) { return c | d; }) -
-                                 rows.runs(j, k, [](Word, Word b, Word, Word d) { return b | d; }) +
-                                 rows.runs(j, k, [](Word a, Word b, Word c, Word d) { return a | b | c | d; });
-      euler.faces += own - rows.runs(j, k, [](Word, Word, Word c, Word d) { return c & d; }) -
-                     rows.runs(j, k, [](Word, Word b, Word, Word d) { return b & d; }) +
-                     rows.runs(j, k, [](Word a, Word b, Word c, Word d) { return a & b & c & d; });
-      // Two voxels alone in a block of eight that touch in its middle are joined by 26 and not by 18 neighbours.
-      euler.facesEdges += rows.lonePairs(j, k, 0);
-      euler.facesAsCubes += rows.lonePairs(j, k, ~Word{0});
+      rows.forMixedWords(j, k, [&](const Words& now, const Words& before) {
+        const auto& [a, b, c, d] = now;
+        const auto& [a1, b1, c1, d1] = before;
+        const int own = starts(d, d1);
+        euler.facesEdgesCorners += own - starts(c | d, c1 | d1) - starts(b | d, b1 | d1) + starts(a | b | c | d, a1 | b1 | c1 | d1);
+        euler.faces += own - starts(c & d, c1 & d1) - starts(b & d, b1 & d1) + starts(a & b & c & d, a1 & b1 & c1 & d1);
+        // Two voxels alone in a block of eight that touch in its middle are joined by 26 and not by 18 neighbours.
+        euler.facesEdges += lonePairs(now, before);
+        euler.facesAsCubes += lonePairs(inverted(now), inverted(before));
+      });
     }
   }
   euler.facesEdges += euler.facesEdgesCorners;

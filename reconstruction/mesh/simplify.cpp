@@ -27,12 +27,27 @@ SurfaceMesh simplifyToCount(const SurfaceMesh& mesh, std::size_t triangles, cons
   }
 }
 
+/// The greatest distance between the two surfaces that is found: from the vertices of the given one to the simplified one, and
+/// from the simplified one's vertices and triangle centres back.
+double greatestDistance(const SurfaceMesh& given, const MeshDistance& toGiven, const SurfaceMesh& simplified,
+                        const ExecutionContext& context) {
+  std::vector<Vec3> back = simplified.vertices;
+  back.reserve(back.size() + simplified.triangles.size());
+  for (const Triangle& t : simplified.triangles) {
+    back.push_back((simplified.vertices[t[0]] + simplified.vertices[t[1]] + simplified.vertices[t[2]]) / 3);
+  }
+  const auto forth = MeshDistance(simplified).to(given.vertices, context);
+  const auto distances = toGiven.to(back, context);
+  return std::max(*std::ranges::max_element(forth), *std::ranges::max_element(distances));
+}
+
 /// Collapses on as long as the measured distance allows, from a limit on the mean that is well on the safe side.
 SurfaceMesh simplifyToDistance(const SurfaceMesh& mesh, double distanceMm, const ExecutionContext& context) {
   constexpr double kFirstShare = 0.1;  // the greatest distance is some ten times the mean
   constexpr double kNearEnough = 0.85;
   constexpr int kRestarts = 4;
   double rmsMm = kFirstShare * distanceMm;
+  const MeshDistance toGiven(mesh);
   for (int restart = 0; restart < kRestarts; ++restart, rmsMm *= 0.25) {
     std::optional<SurfaceMesh> reached;
     Collapser collapser(mesh);
@@ -42,8 +57,7 @@ SurfaceMesh simplifyToDistance(const SurfaceMesh& mesh, double distanceMm, const
       if (!simplified) {
         break;
       }
-      const auto distances = MeshDistance(*simplified).to(mesh.vertices, context);
-      const double worst = *std::ranges::max_element(distances);
+      const double worst = greatestDistance(mesh, toGiven, *simplified, context);
       if (worst > distanceMm) {
         break;
       }

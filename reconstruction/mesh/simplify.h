@@ -14,7 +14,8 @@ namespace glisson {
 /// Where to stop: exactly one of the two.
 struct SimplifyTarget {
   std::optional<std::size_t> triangles = {};  ///< at most so many, 4 or more
-  std::optional<double> distanceMm = {};      ///< no vertex of the given mesh lies farther from the simplified one
+  std::optional<double> distanceMm = {};      ///< no vertex of the given mesh lies farther from the simplified one, nor
+                                              ///< its vertices and triangle centres farther from the given one
 
   /// Throws UsageError.
   void validate() const;

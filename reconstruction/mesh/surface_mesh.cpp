@@ -37,12 +37,12 @@ void countEdges(const MeshEdges& edges, MeshDefects& defects) {
     const auto along =
         static_cast<std::size_t>(std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.along(); }));
     const std::size_t against = sides.size() - along;
-    if (sides.size() == 1) {
-      ++defects.openEdges;
-    } else if (sides.size() > 2) {
+    if (sides.size() > 2) {
       ++defects.nonManifoldEdges;
     }
-    if (sides.size() % 2 == 0 && along != against) {
+    if (sides.size() % 2 == 1) {
+      ++defects.openEdges;
+    } else if (along != against) {
       ++defects.orientationEdges;
     }
   });

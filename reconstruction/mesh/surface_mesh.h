@@ -16,8 +16,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Counts of each broken invariant; all zero on a sound mesh.
 struct MeshDefects {
   bool noTriangles = false;             ///< nothing there: "open"
-  std::size_t openEdges = 0;            ///< edges with one triangle
-  std::size_t orientationEdges = 0;     ///< edges run through twice in the same direction
+  std::size_t openEdges = 0;            ///< edges with an odd number of triangles: the surface ends there
+  std::size_t orientationEdges = 0;     ///< edges not run through as often one way as the other
   bool inward = false;                  ///< a closed mesh whose signed volume is negative
   std::size_t nonManifoldEdges = 0;     ///< edges with more than two triangles
   std::size_t nonManifoldVertices = 0;  ///< vertices whose triangles do not form one fan

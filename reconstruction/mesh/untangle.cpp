@@ -44,9 +44,13 @@ Untangled untangle(SurfaceMesh& mesh, std::size_t mostPairs, const ExecutionCont
   constexpr int kRounds = 8;
   Untangled result;
   auto pairs = selfIntersections(mesh, context);
-  result.before = pairs.size();
+  result.before = result.after = pairs.size();
+  if (pairs.empty() || result.before > mostPairs) {
+    return result;
+  }
+  std::vector<Vec3> best = mesh.vertices;
   std::vector<std::uint8_t> marked(mesh.vertices.size(), 0);
-  for (int round = 0; round < kRounds && !pairs.empty() && result.before <= mostPairs; ++round) {
+  for (int round = 0; round < kRounds && !pairs.empty(); ++round) {
     for (const auto& pair : pairs) {
       for (const std::uint32_t triangle : pair) {
         for (const std::uint32_t corner : mesh.triangles[triangle]) {
@@ -57,9 +61,13 @@ Untangled untangle(SurfaceMesh& mesh, std::size_t mostPairs, const ExecutionCont
     relax(mesh, marked);
     relax(mesh, marked);
     pairs = selfIntersections(mesh, trianglesAt(mesh, marked), context);
+    if (pairs.size() < result.after) {
+      result.after = pairs.size();
+      result.movedVertices = static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1));
+      best = mesh.vertices;
+    }
   }
-  result.after = pairs.size();
-  result.movedVertices = static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1));
+  mesh.vertices = std::move(best);
   return result;
 }
 

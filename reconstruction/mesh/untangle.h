@@ -13,8 +13,9 @@ struct Untangled {
   std::size_t movedVertices = 0;  ///< vertices that moved
 };
 
-/// Moves vertices of `mesh` in up to eight rounds; nothing where there are more than `mostPairs` to begin with (then the mesh is
-/// wrong as a whole, not in places). Polls cancel as countSelfIntersections does.
+/// Moves vertices of `mesh` in up to eight rounds and keeps the round with the fewest pairs: none where every round has as many as
+/// the mesh or more, or where there are more than `mostPairs` to begin with (then the mesh is wrong as a whole, not in places).
+/// Polls cancel as countSelfIntersections does.
 Untangled untangle(SurfaceMesh& mesh, std::size_t mostPairs, const ExecutionContext& context = {});
 
 }  // namespace glisson

@@ -57,25 +57,25 @@ std::array<int, 12> segmentsOf(int inside) {
 
 using Triangles = std::vector<std::array<std::uint8_t, 3>>;
 
-/// Triangulates the polygon loop[first..last] whose closing side is allowed; every other diagonal must not lie in a face.
-bool triangulate(const std::vector<int>& loop, std::size_t first, std::size_t last, Triangles& out) {
-  if (last - first < 2) {
-    return true;
-  }
-  const std::size_t kept = out.size();
-  for (std::size_t middle = first + 1; middle < last; ++middle) {
-    const bool lowOk = middle == first + 1 || !shareFace(loop[first], loop[middle]);
-    const bool highOk = middle + 1 == last || !shareFace(loop[middle], loop[last]);
-    if (lowOk && highOk) {
-      out.push_back(
-          {static_cast<std::uint8_t>(loop[first]), static_cast<std::uint8_t>(loop[middle]), static_cast<std::uint8_t>(loop[last])});
-      if (triangulate(loop, first, middle, out) && triangulate(loop, middle, last, out)) {
-        return true;
+/// Triangulates a polygon as a fan none of whose diagonals lies in a face. A fan's triangles cross each other nowhere, wherever the
+/// vertices lie on their edges; other triangulations of seven corners do (a test tries them all).
+void addFan(const std::vector<int>& loop, Triangles& out) {
+  const std::size_t size = loop.size();
+  for (std::size_t apex = size; apex-- > 0;) {
+    const auto at = [&](std::size_t n) { return loop[(apex + n) % size]; };
+    bool inside = true;
+    for (std::size_t n = 2; n + 1 < size; ++n) {
+      inside = inside && !shareFace(loop[apex], at(n));
+    }
+    if (inside) {
+      for (std::size_t n = 1; n + 1 < size; ++n) {
+        out.push_back(
+            {static_cast<std::uint8_t>(at(n)), static_cast<std::uint8_t>(at(n + 1)), static_cast<std::uint8_t>(loop[apex])});
       }
-      out.resize(kept);
+      return;
     }
   }
-  return false;
+  throw std::logic_error("marching cases: a polygon has no fan inside its cell");
 }
 
 }  // namespace
@@ -92,8 +92,8 @@ MarchingCases makeMarchingCases() {
         next[static_cast<std::size_t>(at)] = -1;
         at = following;
       }
-      if (!loop.empty() && !triangulate(loop, 0, loop.size() - 1, cases[static_cast<std::size_t>(inside)])) {
-        throw std::logic_error("marching cases: a polygon has no triangulation inside its cell");
+      if (!loop.empty()) {
+        addFan(loop, cases[static_cast<std::size_t>(inside)]);
       }
     }
   }

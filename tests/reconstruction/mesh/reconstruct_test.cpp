@@ -188,6 +188,86 @@ TEST(Reconstruct, SelfIntersectionsOfSmoothingAreUndoneWhereTheyAreFew) {
   EXPECT_EQ(countSelfIntersections(mesh), 0U);
 }
 
+TEST(Reconstruct, UntanglingNeverLeavesMorePairsThanThereWere) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 40; ++trial) {
+    SurfaceMesh mesh = test::sphere(Vec3(1, 2, 3), 10, 3);
+    for (int n = 0; n < 12; ++n) {  // neighbours that change places: some of these cannot be undone by moving them to their mean
+      const Triangle& t = mesh.triangles[random() % mesh.triangles.size()];
+      std::swap(mesh.vertices[t[0]], mesh.vertices[t[1]]);
+    }
+    const std::vector<Vec3> given = mesh.vertices;
+    const Untangled result = untangle(mesh, 100000);
+    EXPECT_LE(result.after, result.before);
+    EXPECT_EQ(result.after, countSelfIntersections(mesh));
+    EXPECT_EQ(result.after == result.before, mesh.vertices == given);
+    EXPECT_EQ(result.movedVertices > 0, result.after < result.before);
+  }
+}
+
+TEST(Reconstruct, ASimplifiedSurfaceIsJudgedByItsOwnCrossings) {
+  // Laplacian smoothing behind decimation leaves thin tubes with triangles that cross; simplification makes sound ones of some.
+  std::mt19937 random(3);
+  std::size_t crossedBefore = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const Index3 size{14, 13, 12};
+    std::vector<std::uint8_t> values(14 * 13 * 12);
+    for (auto& v : values) {
+      v = random() % 100 < 12 ? 1 : 0;
+    }
+    Body noise{Mask::fromGrid(size, values), {}};
+    noise.geometry.size = size;
+    ReconstructionParameters parameters = mcsd(45, 0.5, SmoothingFilter::Laplacian);
+    const Reconstruction plain = reconstruct(noise.mask, noise.geometry, StructureKind::Tumour, parameters);
+    crossedBefore += plain.defects.selfIntersections > 0 ? 1 : 0;
+    parameters.simplify = SimplifyTarget{.triangles = 200};
+    const Reconstruction made = reconstruct(noise.mask, noise.geometry, StructureKind::Tumour, parameters);
+    EXPECT_EQ(made.defects.selfIntersections, countSelfIntersections(made.mesh)) << trial;
+    EXPECT_EQ(made.defects.nonManifoldEdges + made.defects.nonManifoldVertices + made.defects.degenerateTriangles > 0,
+              anyContains(made.notes, "not simplified"))
+        << trial;
+  }
+  EXPECT_GT(crossedBefore, 0U);
+}
+
+TEST(Reconstruct, ASetThatCannotBeSimplifiedIsNotedAndTheOthersGoOn) {
+  std::mt19937 random(2016);
+  const Index3 size{10, 9, 11};
+  std::vector<std::uint8_t> values(990);
+  for (auto& v : values) {
+    v = random() % 100 < 25 ? 1 : 0;
+  }
+  Body noise{Mask::fromGrid(size, values), {}};
+  noise.geometry.size = size;
+  std::vector<ReconstructionParameters> sets{mcsd(0, 0.9), ReconstructionParameters()};
+  for (auto& set : sets) {
+    set.simplify = SimplifyTarget{.triangles = 300};
+  }
+  std::vector<Reconstruction> made(2);
+  reconstructEach(noise.mask, noise.geometry, StructureKind::Tumour, sets,
+                  [&](std::size_t n, Reconstruction one) { made[n] = std::move(one); });
+  ASSERT_GT(made[0].defects.nonManifoldEdges, 0U) << "the body is meant to lose this";
+  EXPECT_TRUE(anyContains(made[0].notes, "not simplified"));
+  EXPECT_TRUE(anyContains(made[1].notes, "simplified from"));
+}
+
+TEST(Reconstruct, AClosedSurfaceWithEdgesThatAreNotManifoldIsComparedWithTheMaskToo) {
+  // Decimation leaves edges with four triangles: an inside there is all the same.
+  std::mt19937 random(2016);
+  const Index3 size{10, 9, 11};
+  std::vector<std::uint8_t> values(990);
+  for (auto& v : values) {
+    v = random() % 100 < 25 ? 1 : 0;
+  }
+  Body noise{Mask::fromGrid(size, values), {}};
+  noise.geometry.size = size;
+  const Reconstruction made = reconstruct(noise.mask, noise.geometry, StructureKind::PortalVein, mcsd(0, 0.9));
+  ASSERT_GT(made.defects.nonManifoldEdges, 0U);
+  ASSERT_EQ(made.defects.openEdges, 0U);
+  EXPECT_TRUE(std::isfinite(made.meshVolumeMl));
+  EXPECT_TRUE(made.centrelineInside.has_value());
+}
+
 TEST(Reconstruct, ThirtyLumpyBodiesAreSoundAndWithoutSelfIntersectionsByTheDefaults) {
   std::mt19937 random(21);
   std::uniform_real_distribution<double> share(0.0, 1.0);

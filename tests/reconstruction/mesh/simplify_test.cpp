@@ -95,6 +95,7 @@ TEST(Simplify, ADistanceIsKeptAndUsed) {
   for (const double distance : {0.05, 0.2, 1.0}) {
     const SurfaceMesh coarse = simplify(fine, {.distanceMm = distance});
     EXPECT_LE(std::ranges::max(MeshDistance(coarse).to(fine.vertices)), distance);
+    EXPECT_LE(std::ranges::max(MeshDistance(fine).to(coarse.vertices)), distance);
     EXPECT_LT(coarse.triangles.size(), before / 2) << distance;
     EXPECT_FALSE(coarse.defects().any());
     before = coarse.triangles.size();

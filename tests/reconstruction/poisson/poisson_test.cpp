@@ -5,9 +5,13 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <mutex>
 #include <numbers>
+#include <set>
 #include <thread>
+#include <tuple>
 
 #include "reconstruction/errors.h"
 #include "reconstruction/parallel.h"
@@ -231,17 +235,51 @@ TEST(Poisson, ScreeningPullsTheSurfaceTowardsTheSamples) {
   EXPECT_LT(spread(screened.mesh), spread(plain.mesh));
 }
 
+TEST(Parallel, ALimitAboveTheMachinesCoresIsKeptAndMet) {
+  const ThreadLimit limit(8);
+  std::mutex mutex;
+  std::set<std::thread::id> seen;
+  std::atomic<int> waiting{0};
+  parallelFor(8, 1, [&](std::size_t, std::size_t) {
+    // Every piece waits for the others: they come to an end only where eight threads take one each.
+    ++waiting;
+    for (int n = 0; n < 2000 && waiting < 8; ++n) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    const std::lock_guard lock(mutex);
+    seen.insert(std::this_thread::get_id());
+  });
+  EXPECT_EQ(seen.size(), 8U);
+}
+
 TEST(Poisson, TheSameBytesForOneTwoAndEightThreads) {
-  const ImageGeometry geometry = gridOf({70, 60, 40}, Vec3(0.8, 0.8, 1.6));
-  const Mask body =
-      maskWhere(geometry, [](const Vec3& p) { return (p - Vec3(28, 24, 32)).norm() < 20 || (p - Vec3(40, 30, 30)).norm() < 12; });
-  const auto reference = psr(body, geometry, 7).mesh;
-  for (const int threads : {1, 2, 8}) {
-    const ThreadLimit limit(threads);
-    const auto mesh = psr(body, geometry, 7).mesh;
-    EXPECT_EQ(mesh.triangles, reference.triangles);
-    EXPECT_TRUE(mesh.vertices == reference.vertices) << threads << " threads";
+  // 130 voxels long, so that depth 8 is used and its blocks are a band.
+  const ImageGeometry geometry = gridOf({150, 40, 40}, Vec3(0.8, 0.8, 0.9));
+  const Mask body = maskWhere(geometry, [](const Vec3& p) {
+    return std::hypot(p[1] - 15 - 3 * std::sin(0.1 * p[0]), p[2] - 17) < 6 && p[0] > 6 && p[0] < 114;
+  });
+  for (const auto& [depth, sampling, weight] : {std::tuple(7, Sampling::Unbiased, 0.0), std::tuple(8, Sampling::Unbiased, 0.0),
+                                                std::tuple(8, Sampling::Paper, 0.0), std::tuple(7, Sampling::Unbiased, 4.0)}) {
+    const auto reference = psr(body, geometry, depth, sampling, weight);
+    EXPECT_EQ(reference.usedDepth, depth);
+    for (const int threads : {1, 2, 8}) {
+      const ThreadLimit limit(threads);
+      const auto mesh = psr(body, geometry, depth, sampling, weight).mesh;
+      EXPECT_EQ(mesh.triangles, reference.mesh.triangles);
+      EXPECT_TRUE(mesh.vertices == reference.mesh.vertices) << threads << " threads at depth " << depth;
+    }
   }
+}
+
+TEST(Poisson, AfterAnExceptionTheNextRunIsAsEver) {
+  const ImageGeometry geometry = gridOf({40, 40, 40}, Vec3(0.8, 0.8, 0.9));
+  const Mask body = maskWhere(geometry, [](const Vec3& p) { return (p - Vec3(16, 16, 17)).norm() < 11; });
+  const auto reference = psr(body, geometry, 6).mesh;
+  const std::vector<PoissonParameters> sets{{.depth = 5}, {.depth = 6}};
+  EXPECT_THROW(reconstructPoissonEach(body, geometry, sets,
+                                      [](std::size_t, PoissonResult, const ExecutionContext&) { throw std::bad_alloc(); }),
+               std::bad_alloc);
+  EXPECT_TRUE(psr(body, geometry, 6).mesh.vertices == reference.vertices);
 }
 
 TEST(Poisson, ACancelEndsItInEveryPhase) {
