@@ -158,6 +158,7 @@ FramePlan ModelView::Impl::planFrame(FrameQuality quality) {
 
 void ModelView::Impl::prepareFrame(FrameQuality quality) {
   scene.use(planFrame(quality));
+  cube.drawInTile(scene.tile);
   planeActors.setVisible(plane.has_value() && handlesShown);
   if (plane) {
     updateSection(quality == FrameQuality::Moving);

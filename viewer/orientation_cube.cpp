@@ -6,7 +6,7 @@
 
 namespace glisson {
 
-OrientationCube::OrientationCube(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, double share) {
+OrientationCube::OrientationCube(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, double share) : share_(share) {
   cube_->SetXPlusFaceText("L");
   cube_->SetXMinusFaceText("R");
   cube_->SetYPlusFaceText("P");
@@ -26,10 +26,16 @@ OrientationCube::OrientationCube(vtkRenderWindowInteractor* interactor, vtkRende
   }
   marker_->SetOrientationMarker(cube_);
   marker_->SetInteractor(interactor);
-  marker_->SetViewport(0.0, 0.0, 0.8 * share, share);
+  drawInTile(std::nullopt);
   marker_->SetDefaultRenderer(renderer);
   marker_->SetEnabled(1);
   marker_->InteractiveOff();
+}
+
+void OrientationCube::drawInTile(const std::optional<Tile>& tile) {
+  const double height = (tile ? VtkWidget::kReportTiles : 1) * share_;
+  marker_->SetViewport(0.0, 0.0, 0.8 * height, height);
+  cube_->SetVisibility(!tile || (tile->x == 0 && tile->y == 0));
 }
 
 OrientationCube::~OrientationCube() {

@@ -5,6 +5,10 @@
 #include <vtkNew.h>
 #include <vtkOrientationMarkerWidget.h>
 
+#include <optional>
+
+#include "viewer/vtk_scene.h"
+
 class vtkRenderWindowInteractor;
 class vtkRenderer;
 
@@ -19,7 +23,11 @@ class OrientationCube {
   OrientationCube(const OrientationCube&) = delete;
   OrientationCube& operator=(const OrientationCube&) = delete;
 
+  /// For one of the tiles of a larger picture, where the cube has its share of the picture and lies within the lowest left tile.
+  void drawInTile(const std::optional<Tile>& tile);
+
  private:
+  double share_;
   vtkNew<vtkAnnotatedCubeActor> cube_;
   vtkNew<vtkOrientationMarkerWidget> marker_;
 };

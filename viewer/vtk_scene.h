@@ -24,6 +24,18 @@ inline constexpr int kRestMs = 150;
 /// Between two resting frames of which the first left meshes for the next.
 inline constexpr int kUploadGapMs = 20;
 
+/// Which part of a picture larger than the view is drawn: x from the left, y from below.
+struct Tile {
+  int x = 0;
+  int y = 0;
+  [[nodiscard]] std::optional<Tile> next() const {
+    if (x + 1 < VtkWidget::kReportTiles) {
+      return Tile{x + 1, y};
+    }
+    return y + 1 < VtkWidget::kReportTiles ? std::optional(Tile{0, y + 1}) : std::nullopt;
+  }
+};
+
 struct VtkWidget::Scene {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;  ///< the model: layer 0
@@ -35,6 +47,8 @@ struct VtkWidget::Scene {
   bool moving = false;                ///< something moved within the last kRestMs
   bool cameraByHand = false;          ///< the user moved the camera since it was last placed
   std::optional<FrameQuality> asked;  ///< of the frame that is drawn for picture() or reportPicture()
+  std::optional<Tile> tile;           ///< of the report's picture that is being drawn
+  QImage tiles;                       ///< those drawn so far
   bool started = false;               ///< VTK knows the widget's OpenGL context
   bool resizing = false;              ///< inside Qt's own frame of a resize
   bool due = false;                   ///< what is to be seen has changed since the last frame

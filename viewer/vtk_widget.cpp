@@ -14,7 +14,10 @@
 #include <QNativeGestureEvent>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <QPainter>
 #include <QSurfaceFormat>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "viewer/redraw_queue.h"
@@ -33,6 +36,35 @@ void observe(vtkObject* object, unsigned long event, void* receiver, void (*call
 }
 
 }  // namespace
+
+/// The camera looks through the tile that is drawn, if there is one, and again through the whole view at the end.
+class VtkWidget::WholeView {
+ public:
+  explicit WholeView(Scene& scene) : scene_(scene), angle_(scene.renderer->GetActiveCamera()->GetViewAngle()) {
+    if (scene.tile) {
+      const auto share = [](int at) { return 2.0 * at + 1 - kReportTiles; };  // VTK: of half a tile, from the middle
+      look(2 * std::atan(std::tan(0.5 * angle_ * kDegree) / kReportTiles) / kDegree, share(scene.tile->x), share(scene.tile->y));
+    }
+  }
+  ~WholeView() {
+    if (scene_.tile) {
+      look(angle_, 0, 0);
+    }
+  }
+  WholeView(const WholeView&) = delete;
+  WholeView& operator=(const WholeView&) = delete;
+
+ private:
+  static constexpr double kDegree = std::numbers::pi / 180.0;
+  void look(double angle, double x, double y) {
+    vtkCamera* camera = scene_.renderer->GetActiveCamera();  // the overlay's too
+    camera->SetViewAngle(angle);
+    camera->SetWindowCenter(x, y);
+  }
+
+  Scene& scene_;
+  double angle_;
+};
 
 VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_unique<Scene>()) {
   setFocusPolicy(Qt::StrongFocus);
@@ -147,8 +179,25 @@ std::optional<QImage> VtkWidget::reportPicture() {
     grabFramebuffer();  // OpenGL starts in a turn of its own
     return isValid() ? std::nullopt : std::optional(QImage());
   }
-  QImage image = frameOf(FrameQuality::Report);
-  return scene_->frame.moreToUpload ? std::nullopt : std::optional(std::move(image));
+  Scene& s = *scene_;
+  if (s.drawn.isEmpty()) {
+    static_cast<void>(frameOf(FrameQuality::Moving));  // the programs without depth peeling are compiled in a turn of their own
+    return std::nullopt;
+  }
+  if (!s.tile) {
+    s.tile = Tile();
+    s.tiles = QImage(kReportTiles * pixels(), QImage::Format_RGB32);
+  }
+  const QImage drawn = frameOf(FrameQuality::Report);
+  if (s.frame.moreToUpload) {
+    return std::nullopt;
+  }
+  QPainter painter(&s.tiles);
+  painter.drawImage(QRect(QPoint(s.tile->x * pixels().width(), (kReportTiles - 1 - s.tile->y) * pixels().height()), pixels()),
+                    drawn);
+  painter.end();
+  s.tile = s.tile->next();
+  return s.tile ? std::nullopt : std::optional(std::exchange(s.tiles, QImage()));
 }
 
 QImage VtkWidget::frameOf(FrameQuality quality) {
@@ -227,6 +276,7 @@ void VtkWidget::paintGL() {
   QElapsedTimer clock;
   clock.start();
   s.window->SetSize(qRound(pixels.width() * scale), qRound(pixels.height() * scale));
+  const WholeView whole(s);
   s.window->Render();
   context()->functions()->glFinish();  // a software renderer works behind our back: what a frame costs is known only now
   const double ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;

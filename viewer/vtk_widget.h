@@ -26,11 +26,14 @@ class VtkWidget : public QOpenGLWidget {
   void drawSoon();
   /// What is seen, after all pending changes, with depth peeling. A null image where OpenGL is not available.
   [[nodiscard]] QImage picture();
-  /// The same of a view of its own that nobody sees, quicker: reduced meshes, a few of them uploaded with each call. Nothing while
-  /// some are left: ask again in the next turn of the event loop.
+  /// The same of a view of its own that nobody sees, kReportTiles times as wide and as high as the view, in steps that take little
+  /// each: OpenGL starts, reduced meshes are uploaded, a few at a time, and the picture is drawn tile by tile. Nothing while some
+  /// are left: ask again in the next turn of the event loop.
   [[nodiscard]] std::optional<QImage> reportPicture();
+  static constexpr int kReportTiles = 2;
 
  protected:
+  class WholeView;
   struct Scene;  ///< render window, renderer, interactor (viewer/vtk_scene.h, VTK types)
   [[nodiscard]] Scene& scene();
   void initializeGL() override;

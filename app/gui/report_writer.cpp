@@ -26,7 +26,7 @@ void ReportWriter::write(PlanReport report, const std::shared_ptr<const TumourDi
   path_ = path;
   drawn_ = 0;
   view_ = std::make_unique<ModelView>();
-  view_->resize(660, 560);
+  view_->resize(QSize(660, 560) / VtkWidget::kReportTiles);
   view_->setModel(report_.content.model, ready);
   view_->setTumours(tumours);
   view_->setPlan(report_.plan);

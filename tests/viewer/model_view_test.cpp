@@ -331,6 +331,40 @@ TEST_F(ModelViewTest, FramesOfAHundredThousandTrianglesWhileThePlaneMovesAreDraw
   RecordProperty("movingFrameMs", std::to_string(frames[7]));
 }
 
+TEST(ModelViewPictureTest, AReportsPictureOfTilesIsThatOfTheWholeView) {
+  const HalfSpace plane{Vec3(5, 0, 0), Vec3(1, 0.2, 0.1).normalized()};
+  const auto prepare = [&](ModelView& view, const QSize& size) {
+    view.resize(size);
+    view.setModel(asymmetricModel());
+    view.setPlane(plane);
+    view.setHandlesShown(false);
+  };
+  ModelView tiled;
+  prepare(tiled, QSize(160, 120));
+  ModelView whole;
+  prepare(whole, VtkWidget::kReportTiles * QSize(160, 120));
+  for (const auto side : {ModelView::StandardView::Anterior, ModelView::StandardView::Left}) {
+    tiled.setStandardView(side);
+    whole.setStandardView(side);
+    std::optional<QImage> picture;
+    for (int turn = 0; turn < 30 && !picture; ++turn) {
+      picture = tiled.reportPicture();
+    }
+    ASSERT_TRUE(picture);
+    const QImage expected = whole.picture();
+    ASSERT_EQ(picture->size(), expected.size());
+    int different = 0;
+    for (int y = 0; y < expected.height(); ++y) {
+      for (int x = 0; x < expected.width(); ++x) {
+        const QColor a = picture->pixelColor(x, y);
+        const QColor b = expected.pixelColor(x, y);
+        different += std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) > 90 ? 1 : 0;
+      }
+    }
+    EXPECT_LT(different, expected.width() * expected.height() / 200);
+  }
+}
+
 TEST(ModelViewPictureTest, AViewThatWasNeverShownGivesItsPictureToo) {
   ModelView view;
   view.resize(640, 480);

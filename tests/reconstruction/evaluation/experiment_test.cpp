@@ -93,7 +93,7 @@ TEST(Experiment, MeasuresEachModelAsTheSingleFunctionsDo) {
     const ModelMeasures& measures = *model.measures;
     EXPECT_EQ(measures.triangles, mesh.triangles.size());
     EXPECT_EQ(measures.vertices, mesh.vertices.size());
-    expectSame(measures.paperErrorMm, paperError(mesh, body.mask, body.geometry));
+    expectSame(measures.paperErrorMm, paperError(mesh, body.mask, body.geometry).value());
     expectSame(measures.voxelErrorMm, voxelError(mesh, body.mask, body.geometry));
     EXPECT_EQ(measures.paperErrorBoxMm.median, measures.paperErrorMm.median);
     EXPECT_EQ(measures.volumeMl, volumeMl(mesh));
