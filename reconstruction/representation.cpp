@@ -227,13 +227,13 @@ MaskFacts factsOf(const Mask& mask, StructureKind kind, const ExecutionContext& 
   parallelFor(5, 1, [&](std::size_t task, std::size_t) {
     context.throwIfCancelled();
     if (task == 0) {
-      facts.pieces = piecesOf(mask, Neighbours::TwentySix);
+      facts.pieces = piecesOf(mask, Neighbours::TwentySix, context);
     } else if (task == 1) {
-      facts.joinedByFaces = piecesOf(mask, Neighbours::Six).count();
+      facts.joinedByFaces = piecesOf(mask, Neighbours::Six, context).count();
     } else if (task == 2) {
-      facts.cavities = cavitiesOf(mask, Neighbours::Six);
+      facts.cavities = cavitiesOf(mask, Neighbours::Six, context);
     } else if (task == 3) {
-      facts.euler = eulerNumbers(mask);
+      facts.euler = eulerNumbers(mask, context);
     } else if (isVessel(kind)) {
       facts.centreline = centrelineOf(mask, context);
     }

@@ -12,8 +12,8 @@
 
 namespace glisson {
 
-Collapser::Collapser(const SurfaceMesh& mesh, std::vector<double> edgesMm)
-    : connectivity_(mesh.vertices.size(), mesh.triangles),
+Collapser::Collapser(const SurfaceMesh& mesh, const ExecutionContext& context, std::vector<double> edgesMm)
+    : connectivity_(mesh.vertices.size(), mesh.triangles, context),
       position_(mesh.vertices),
       quadric_(mesh.vertices.size()),
       wanted_(std::move(edgesMm)),
@@ -24,6 +24,7 @@ Collapser::Collapser(const SurfaceMesh& mesh, std::vector<double> edgesMm)
   for (std::size_t v = 0; v < position_.size(); ++v) {
     position_[v] -= centre_;
   }
+  context.throwIfCancelled();
   for (const Triangle& t : mesh.triangles) {
     const Vec3 normal = (position_[t[1]] - position_[t[0]]).cross(position_[t[2]] - position_[t[0]]);
     const double length = normal.norm();
@@ -238,7 +239,7 @@ std::optional<SurfaceMesh> soundMesh(const Collapser& collapser, const Execution
   SurfaceMesh simplified = collapser.mesh();
   dropUnusedVertices(simplified);
   const double volume = signedVolumeMm3(simplified);
-  if (untangle(simplified, kMostPairs, context).after > 0 || simplified.defects().any() ||
+  if (untangle(simplified, kMostPairs, context).after > 0 || simplified.defects(context).any() ||
       std::abs(signedVolumeMm3(simplified) - volume) > kVolumeShare * std::abs(volume)) {
     return std::nullopt;
   }

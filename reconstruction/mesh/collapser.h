@@ -23,8 +23,8 @@ struct CollapseLimit {
 class Collapser {
  public:
   /// Closed and manifold: CheckFailed. `edgesMm`, where it is not empty: for each vertex the length that edges are to have there;
-  /// then only edges shorter than that are collapsed, the shortest in proportion first, and none becomes much longer.
-  explicit Collapser(const SurfaceMesh& mesh, std::vector<double> edgesMm = {});
+  /// then only edges shorter than that are collapsed, the shortest in proportion first, and none becomes much longer. Polls cancel.
+  explicit Collapser(const SurfaceMesh& mesh, const ExecutionContext& context, std::vector<double> edgesMm = {});
   /// Collapses edges pass by pass: the cheaper fifth of those that are left, in the order of the mesh. So no queue is needed, the
   /// memory is walked in order and the costs are found on several threads, and the result is as good as by strict order.
   void run(const CollapseLimit& limit, const ExecutionContext& context);

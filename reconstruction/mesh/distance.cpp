@@ -69,7 +69,7 @@ double distanceToTriangle(const Vec3& point, const Vec3& a, const Vec3& b, const
   return std::sqrt(squaredToTriangle(point, a, b, c));
 }
 
-MeshDistance::MeshDistance(const SurfaceMesh& mesh) {
+MeshDistance::MeshDistance(const SurfaceMesh& mesh, const ExecutionContext& context) {
   if (mesh.empty()) {
     throw std::invalid_argument("MeshDistance: the mesh has no triangles");
   }
@@ -83,11 +83,15 @@ MeshDistance::MeshDistance(const SurfaceMesh& mesh) {
   std::iota(order.begin(), order.end(), 0U);
   nodes_.reserve(count);
   corners_.reserve(3 * static_cast<std::size_t>(count));
-  build(order, centres, mesh, 0, count);
+  build(order, centres, mesh, 0, count, context);
 }
 
 std::uint32_t MeshDistance::build(std::vector<std::uint32_t>& order, const std::vector<Vec3>& centres, const SurfaceMesh& mesh,
-                                  std::uint32_t begin, std::uint32_t end) {
+                                  std::uint32_t begin, std::uint32_t end, const ExecutionContext& context) {
+  constexpr std::uint32_t kPoll = 16384;
+  if (end - begin > kPoll) {
+    context.throwIfCancelled();
+  }
   const auto self = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -119,8 +123,8 @@ std::uint32_t MeshDistance::build(std::vector<std::uint32_t>& order, const std::
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
                    [&](std::uint32_t a, std::uint32_t b) { return centres[a][axis] < centres[b][axis]; });
-  build(order, centres, mesh, begin, middle);
-  const std::uint32_t right = build(order, centres, mesh, middle, end);
+  build(order, centres, mesh, begin, middle, context);
+  const std::uint32_t right = build(order, centres, mesh, middle, end, context);
   nodes_[self].first = right;
   return self;
 }
@@ -214,7 +218,7 @@ std::optional<ErrorSummary> paperError(const SurfaceMesh& mesh, const Mask& mask
   } catch (const ReconstructionError&) {
     return std::nullopt;
   }
-  return summarise(MeshDistance(mesh).to(points.positions, context));
+  return summarise(MeshDistance(mesh, context).to(points.positions, context));
 }
 
 ErrorSummary voxelError(const SurfaceMesh& mesh, const Mask& mask, const ImageGeometry& geometry, const ExecutionContext& context) {
@@ -222,8 +226,8 @@ ErrorSummary voxelError(const SurfaceMesh& mesh, const Mask& mask, const ImageGe
   raw.smoothing = 0;
   raw.decimation = 0;
   const SurfaceMesh levelSet = reconstructMcsd(mask, geometry, raw, context).mesh;
-  std::vector<double> distances = MeshDistance(levelSet).to(mesh.vertices, context);
-  const std::vector<double> back = MeshDistance(mesh).to(levelSet.vertices, context);
+  std::vector<double> distances = MeshDistance(levelSet, context).to(mesh.vertices, context);
+  const std::vector<double> back = MeshDistance(mesh, context).to(levelSet.vertices, context);
   distances.insert(distances.end(), back.begin(), back.end());
   return summarise(std::move(distances));
 }

@@ -21,8 +21,8 @@ double distanceToTriangle(const Vec3& point, const Vec3& a, const Vec3& b, const
 /// Searches the triangle nearest to a point. Const and thread-safe once built.
 class MeshDistance {
  public:
-  /// Copies what it needs of `mesh`. Throws std::invalid_argument on a mesh without triangles.
-  explicit MeshDistance(const SurfaceMesh& mesh);
+  /// Copies what it needs of `mesh`. Throws std::invalid_argument on a mesh without triangles. Polls cancel.
+  explicit MeshDistance(const SurfaceMesh& mesh, const ExecutionContext& context = {});
 
   /// Unsigned distance, mm.
   [[nodiscard]] double to(const Vec3& point) const;
@@ -41,7 +41,7 @@ class MeshDistance {
   /// The squared distance and in `triangle` the number of the nearest one; there the one to begin with, or kNone.
   [[nodiscard]] double squaredTo(const Vec3& point, std::size_t& triangle) const;
   std::uint32_t build(std::vector<std::uint32_t>& order, const std::vector<Vec3>& centres, const SurfaceMesh& mesh,
-                      std::uint32_t begin, std::uint32_t end);
+                      std::uint32_t begin, std::uint32_t end, const ExecutionContext& context);
 
   std::vector<Node> nodes_;
   std::vector<Vec3> corners_;  ///< three per triangle, in the order of the leaves

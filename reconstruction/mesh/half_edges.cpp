@@ -7,7 +7,7 @@
 
 namespace glisson {
 
-HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles)
+HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles, const ExecutionContext& context)
     : origin_(3 * triangles.size()),
       twin_(3 * triangles.size(), kDead),
       outgoing_(vertexCount, kDead),
@@ -19,7 +19,8 @@ HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangle
       outgoing_[triangles[t][k]] = static_cast<std::uint32_t>(3 * t + k);
     }
   }
-  const MeshEdges edges(vertexCount, triangles);
+  const MeshEdges edges(vertexCount, triangles, context);
+  context.throwIfCancelled();
   bool closed = true;
   edges.forEachEdge([&](std::span<const MeshEdges::Side> sides) {
     if (sides.size() != 2 || sides[0].along() == sides[1].along()) {
@@ -29,7 +30,8 @@ HalfEdges::HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangle
     twin_[sides[0].corner()] = sides[1].corner();
     twin_[sides[1].corner()] = sides[0].corner();
   });
-  if (!closed || std::ranges::find(twin_, kDead) != twin_.end() || countVerticesOfSeveralFans(vertexCount, triangles, edges) > 0) {
+  if (!closed || std::ranges::find(twin_, kDead) != twin_.end() ||
+      countVerticesOfSeveralFans(vertexCount, triangles, edges, context) > 0) {
     throw CheckFailed("The surface is not a closed manifold, so it cannot be simplified; reconstruct it again.");
   }
 }

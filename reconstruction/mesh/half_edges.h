@@ -14,8 +14,8 @@ namespace glisson {
 class HalfEdges {
  public:
   /// Throws ReconstructionError unless every edge has two triangles that run through it in opposite directions and every vertex
-  /// one fan.
-  HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles);
+  /// one fan. Polls cancel.
+  HalfEdges(std::size_t vertexCount, std::span<const Triangle> triangles, const ExecutionContext& context = {});
 
   static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }

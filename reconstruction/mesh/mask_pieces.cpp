@@ -41,11 +41,12 @@ void forRuns(const std::uint8_t* row, int n, Visit&& visit) {
   }
 }
 
-Rows foreground(const Mask& mask) {
+Rows foreground(const Mask& mask, const ExecutionContext& context) {
   const IndexBox& box = mask.box();
   Rows rows{box.size[1], box.size[2], {}, {}};
   rows.closeRow();
   for (int k = 0; k < rows.nk; ++k) {
+    context.throwIfCancelled();
     for (int j = 0; j < rows.nj; ++j) {
       forRuns(rowOf(mask, j, k), box.size[0], [&](int begin, int end) {
         rows.runs.push_back({box.first[0] + begin, box.first[0] + end, box.first[1] + j, box.first[2] + k, 0});
@@ -57,11 +58,12 @@ Rows foreground(const Mask& mask) {
 }
 
 /// Of the mask's box with a border of one voxel: the first run belongs to the outside.
-Rows background(const Mask& mask) {
+Rows background(const Mask& mask, const ExecutionContext& context) {
   const IndexBox& box = mask.box();
   Rows rows{box.size[1] + 2, box.size[2] + 2, {}, {}};
   rows.closeRow();
   for (int k = -1; k <= box.size[2]; ++k) {
+    context.throwIfCancelled();
     for (int j = -1; j <= box.size[1]; ++j) {
       int at = -1;
       const auto add = [&](int begin, int end) {
@@ -100,10 +102,11 @@ void joinRows(const Rows& rows, std::size_t a, std::size_t b, int reach, UnionFi
   }
 }
 
-Pieces joined(Rows rows, Neighbours neighbours) {
+Pieces joined(Rows rows, Neighbours neighbours, const ExecutionContext& context) {
   UnionFind sets(rows.runs.size());
   const int reach = neighbours == Neighbours::TwentySix ? 1 : 0;
   for (int k = 0; k < rows.nk; ++k) {
+    context.throwIfCancelled();
     for (int j = 0; j < rows.nj; ++j) {
       const auto join = [&](int dj, int dk) {
         if (j + dj >= 0 && j + dj < rows.nj && k + dk >= 0) {
@@ -210,13 +213,15 @@ Words inverted(const Words& words) { return {~words[0], ~words[1], ~words[2], ~w
 int starts(std::uint64_t now, std::uint64_t before) { return std::popcount(now & ~before); }
 }  // namespace
 
-Pieces piecesOf(const Mask& mask, Neighbours neighbours) { return joined(foreground(mask), neighbours); }
+Pieces piecesOf(const Mask& mask, Neighbours neighbours, const ExecutionContext& context) {
+  return joined(foreground(mask, context), neighbours, context);
+}
 
-Pieces cavitiesOf(const Mask& mask, Neighbours neighbours) {
+Pieces cavitiesOf(const Mask& mask, Neighbours neighbours, const ExecutionContext& context) {
   if (mask.empty()) {
     return {};
   }
-  const Pieces all = joined(background(mask), neighbours);
+  const Pieces all = joined(background(mask, context), neighbours, context);
   const std::uint32_t outside = all.runs.front().piece;  // 0: pieces are numbered by first run
   Pieces cavities;
   cavities.voxels.assign(all.voxels.begin() + 1, all.voxels.end());
@@ -229,7 +234,7 @@ Pieces cavitiesOf(const Mask& mask, Neighbours neighbours) {
   return cavities;
 }
 
-GLISSON_WIDE EulerNumbers eulerNumbers(const Mask& mask) {
+GLISSON_WIDE EulerNumbers eulerNumbers(const Mask& mask, const ExecutionContext& context) {
   EulerNumbers euler;
   if (mask.empty()) {
     return euler;
@@ -238,6 +243,7 @@ GLISSON_WIDE EulerNumbers eulerNumbers(const Mask& mask) {
   // closed cell between rows is there where any of them is set (26), an open one where all are (6).
   const BitRows rows(mask);
   for (int k = 0; k <= rows.rowsK(); ++k) {
+    context.throwIfCancelled();
     for (int j = 0; j <= rows.rowsJ(); ++j) {
       rows.forMixedWords(j, k, [&](const Words& now, const Words& before) {
         const auto& [a, b, c, d] = now;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reconstruction/execution_context.h"
 #include "reconstruction/image/mask.h"
 
 namespace glisson {
@@ -29,11 +30,11 @@ struct Pieces {
 /// Joined by faces (6 neighbours), or by faces, edges and corners (26).
 enum class Neighbours : std::uint8_t { Six, TwentySix };
 
-/// The pieces of the mask, by first voxel.
-Pieces piecesOf(const Mask& mask, Neighbours neighbours);
+/// The pieces of the mask, by first voxel. Polls cancel, as those below, with every slice.
+Pieces piecesOf(const Mask& mask, Neighbours neighbours, const ExecutionContext& context = {});
 
 /// The pieces of the background that the mask encloses. Six neighbours go with a mask joined by 26, and the other way round.
-Pieces cavitiesOf(const Mask& mask, Neighbours neighbours);
+Pieces cavitiesOf(const Mask& mask, Neighbours neighbours, const ExecutionContext& context = {});
 
 /// Pieces - tunnels + cavities of the mask's voxels as a solid, by what voxels are taken to be joined by.
 struct EulerNumbers {
@@ -42,6 +43,6 @@ struct EulerNumbers {
   long long faces = 0;              ///< 6; the background by 26
   long long facesAsCubes = 0;       ///< 6; the background by 18: what vtkMarchingCubes makes
 };
-EulerNumbers eulerNumbers(const Mask& mask);
+EulerNumbers eulerNumbers(const Mask& mask, const ExecutionContext& context = {});
 
 }  // namespace glisson

@@ -106,9 +106,11 @@ bool overlapAtSide(const Vec3& u, const Vec3& v, const Vec3& a, const Vec3& b) {
 
 class Checker {
  public:
-  explicit Checker(const SurfaceMesh& mesh) : mesh_(mesh) {
+  Checker(const SurfaceMesh& mesh, const ExecutionContext& context) : mesh_(mesh) {
     samePlace();
+    context.throwIfCancelled();
     sortAlongCurve();
+    context.throwIfCancelled();
     buildBoxes();
   }
 
@@ -287,7 +289,7 @@ std::vector<std::array<std::uint32_t, 2>> selfIntersections(const SurfaceMesh& m
   if (mesh.triangles.size() < 2) {
     return {};
   }
-  return Checker(mesh).pairs({}, context);
+  return Checker(mesh, context).pairs({}, context);
 }
 
 std::vector<std::array<std::uint32_t, 2>> selfIntersections(const SurfaceMesh& mesh, std::span<const std::uint32_t> among,
@@ -299,7 +301,7 @@ std::vector<std::array<std::uint32_t, 2>> selfIntersections(const SurfaceMesh& m
   for (const std::uint32_t triangle : among) {
     marked[triangle] = 1;
   }
-  return Checker(mesh).pairs(marked, context);
+  return Checker(mesh, context).pairs(marked, context);
 }
 
 std::size_t countSelfIntersections(const SurfaceMesh& mesh, const ExecutionContext& context) {

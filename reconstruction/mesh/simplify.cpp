@@ -15,7 +15,7 @@ namespace {
 /// Where a mesh of so few triangles crosses itself, more are kept.
 SurfaceMesh simplifyToCount(const SurfaceMesh& mesh, std::size_t triangles, const ExecutionContext& context) {
   for (;;) {
-    Collapser collapser(mesh);
+    Collapser collapser(mesh, context);
     if (triangles >= mesh.triangles.size()) {
       return mesh;
     }
@@ -36,7 +36,7 @@ double greatestDistance(const SurfaceMesh& given, const MeshDistance& toGiven, c
   for (const Triangle& t : simplified.triangles) {
     back.push_back((simplified.vertices[t[0]] + simplified.vertices[t[1]] + simplified.vertices[t[2]]) / 3);
   }
-  const auto forth = MeshDistance(simplified).to(given.vertices, context);
+  const auto forth = MeshDistance(simplified, context).to(given.vertices, context);
   const auto distances = toGiven.to(back, context);
   return std::max(*std::ranges::max_element(forth), *std::ranges::max_element(distances));
 }
@@ -47,10 +47,10 @@ SurfaceMesh simplifyToDistance(const SurfaceMesh& mesh, double distanceMm, const
   constexpr double kNearEnough = 0.85;
   constexpr int kRestarts = 4;
   double rmsMm = kFirstShare * distanceMm;
-  const MeshDistance toGiven(mesh);
+  const MeshDistance toGiven(mesh, context);
   for (int restart = 0; restart < kRestarts; ++restart, rmsMm *= 0.25) {
     std::optional<SurfaceMesh> reached;
-    Collapser collapser(mesh);
+    Collapser collapser(mesh, context);
     for (double rms = rmsMm;;) {
       collapser.run({.rmsMm = rms}, context.range(0.0, 0.9));
       auto simplified = soundMesh(collapser, context);

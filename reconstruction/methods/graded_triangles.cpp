@@ -45,14 +45,14 @@ SurfaceMesh gradeTriangles(const SurfaceMesh& mesh, double ratio, double distanc
   const PointTree tree(mesh.vertices);
   for (int round = 0; round < kRounds; ++round) {
     const ExecutionContext part = context.range(0.3 + 0.1 * round, 0.4 + 0.1 * round);
-    Collapser collapser(mesh, edgesMm);
+    Collapser collapser(mesh, part, edgesMm);
     collapser.run({.rmsMm = kRmsShare * distanceMm}, part);
     const std::optional<SurfaceMesh> graded = soundMesh(collapser, part);
     if (!graded) {
       std::ranges::for_each(edgesMm, [](double& edge) { edge *= kShorter; });
       continue;
     }
-    if (!shortenWhereOff(edgesMm, mesh, tree, MeshDistance(*graded).to(mesh.vertices, part), distanceMm)) {
+    if (!shortenWhereOff(edgesMm, mesh, tree, MeshDistance(*graded, part).to(mesh.vertices, part), distanceMm)) {
       return *graded;
     }
   }

@@ -93,6 +93,7 @@ class Coarsener {
       const auto& [a, b, c] = mesh_.triangles[t];
       addToCells(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
     }
+    context.throwIfCancelled();
     free_.resize(mesh_.vertices.size());
     for (std::size_t v = 0; v < free_.size(); ++v) {
       free_[v] = (cells_.at(cells_.of(mesh_.vertices[v])) & kSampled) == 0 ? 1 : 0;
@@ -112,6 +113,7 @@ class Coarsener {
         collapseOneOf(v);
       }
     }
+    context.throwIfCancelled();
     std::erase_if(mesh_.triangles, isGone);
   }
 
@@ -311,6 +313,7 @@ class Coarsener {
 void coarsenUnsupported(const CubeSamples& samples, const Vec3& corner, double cellMm, SurfaceMesh& mesh,
                         const ExecutionContext& context) {
   Cells cells(samples.depth - 1, corner, 2 * cellMm);
+  context.throwIfCancelled();
   for (const auto& [x, y, z] : samples.positions) {
     cells.at(cells.of(corner + cellMm * Vec3(x, y, z))) = kSampled;
   }
