@@ -4549,6 +4549,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>Vessels crossed: -, %1</source>
         <translation>Durchtrennte Gefäße: -, %1</translation>
     </message>
+    <message>
+        <source>%1, along the cut</source>
+        <translation>%1, längs des Schnitts</translation>
+    </message>
 </context>
 <context>
     <name>glisson::PlaneEditor</name>

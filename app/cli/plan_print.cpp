@@ -17,7 +17,7 @@ std::string at(const Vec3& p) {
 
 void printVessel(const VesselCrossing& vessel) {
   std::cout << "vessel crossed: " << vessel.name << " at " << at(vessel.positionMm) << ", diameter "
-            << formatNumber(vessel.diameterMm, 1) << " mm\n";
+            << formatNumber(vessel.diameterMm, 1) << " mm" << (vessel.runsAlong ? ", runs along the cut" : "") << '\n';
 }
 
 std::string unitOf(FlrRatioKind kind) { return kind == FlrRatioKind::PerBsaMlPerM2 ? "mL/m2" : "%"; }

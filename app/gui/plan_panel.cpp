@@ -99,6 +99,10 @@ QString stateText(TumourState state) {
   return PlanPanel::tr("left");
 }
 
+QString crossedText(const VesselCrossing& vessel) {
+  return vessel.runsAlong ? PlanPanel::tr("%1, along the cut").arg(shownName(vessel.name)) : shownName(vessel.name);
+}
+
 QStringList tumourNames(const PlanAssessment& assessment, TumourState state) {
   QStringList names;
   for (const TumourAssessment& tumour : assessment.tumours) {
@@ -303,7 +307,8 @@ void PlanPanel::refreshTables() {
       row->setToolTip(2, marginTip(tumour));
     }
     for (const VesselCrossing& vessel : now.vesselsCrossed) {
-      auto* row = new QTreeWidgetItem(vessels_, {shownName(vessel.name), mmText(vessel.diameterMm)});
+      auto* row = new QTreeWidgetItem(vessels_, {crossedText(vessel), mmText(vessel.diameterMm)});
+      row->setToolTip(0, row->text(0));
       row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     }
   }

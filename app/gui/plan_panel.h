@@ -69,6 +69,8 @@ class PlanPanel : public Translated<QWidget> {
 
 /// "removed", "cut", "left", in the window's language.
 QString stateText(TumourState state);
+/// The vessel's name, with a word where it runs along the cut.
+QString crossedText(const VesselCrossing& vessel);
 /// The names, as they are shown, of the tumours in this state.
 QStringList tumourNames(const PlanAssessment& assessment, TumourState state);
 

@@ -163,7 +163,7 @@ QString vesselsOf(const PlanReport& report) {
   QString rows = header({ReportText::tr("Vessel crossed"), ReportText::tr("diameter"), QStringLiteral("L"), QStringLiteral("P"),
                          QStringLiteral("S")});
   for (const VesselCrossing& vessel : report.assessment.vesselsCrossed) {
-    rows += row({shownName(vessel.name), mmText(vessel.diameterMm), numberText(vessel.positionMm.x(), 1),
+    rows += row({crossedText(vessel), mmText(vessel.diameterMm), numberText(vessel.positionMm.x(), 1),
                  numberText(vessel.positionMm.y(), 1), numberText(vessel.positionMm.z(), 1)});
   }
   return heading(ReportText::tr("Vessels crossed: %1").arg(report.assessment.vesselsCrossed.size())) + table(rows);

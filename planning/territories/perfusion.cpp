@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planning/territories/nearest_site.h"
 #include "planning/territories/vessel_cuts.h"
+#include "planning/volumetry/nearest_site.h"
 #include "reconstruction/text.h"
 
 namespace glisson {

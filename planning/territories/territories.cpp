@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planning/territories/nearest_site.h"
-#include "planning/volumetry/resected.h"
+#include "planning/volumetry/nearest_site.h"
+#include "planning/volumetry/side_pieces.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/text.h"
 

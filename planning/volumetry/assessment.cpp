@@ -52,9 +52,10 @@ struct PlanAssessor::Impl {
   Body liver;           ///< L
   Body lesionsInLiver;  ///< T and L
   double tumourMl = 0;
-  std::vector<Part> tumours;      ///< every lesion's own voxels
-  std::vector<NearSurface> near;  ///< around the tumours
-  std::vector<Part> vessels;      ///< every vessel's voxels inside L
+  std::vector<Part> tumours;          ///< every lesion's own voxels
+  std::vector<NearSurface> near;      ///< around the tumours
+  std::vector<Part> vessels;          ///< every vessel's voxels inside L
+  std::vector<InscribedBalls> balls;  ///< of the whole vessels
   std::uint64_t modelRevision = 0;
 
   [[nodiscard]] double ml(std::int64_t units) const {
@@ -115,6 +116,7 @@ PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>())
       impl_->near.emplace_back(impl_->tumours.back().body.rows, impl_->liver.rows, impl_->liver.blocks, impl_->geometry.spacing);
     } else if (mask && isVessel(structure.kind)) {
       impl_->vessels.push_back({structure.id, structure.name, Body(*mask, impl_->geometry.spacing, &source.liver->liver)});
+      impl_->balls.emplace_back(*mask, impl_->geometry.spacing);
     }
   }
 }
@@ -328,9 +330,10 @@ std::vector<TumourAssessment> PlanAssessor::Impl::assessTumours(const PlanInImag
 
 std::vector<VesselCrossing> PlanAssessor::Impl::findCrossings(const PlanInImage& plan) const {
   std::vector<VesselCrossing> crossings;
-  for (const Part& vessel : vessels) {
+  for (std::size_t n = 0; n < vessels.size(); ++n) {
+    const Part& vessel = vessels[n];
     const std::vector<CutPiece> pieces = surfaceOf(vessel.body, geometry.spacing, plan);
-    const auto found = vesselCrossings(vessel.id, vessel.name, vessel.body.rows, pieces, geometry);
+    const auto found = vesselCrossings(vessel.id, vessel.name, vessel.body.rows, pieces, balls[n], geometry);
     crossings.insert(crossings.end(), found.begin(), found.end());
   }
   return crossings;

@@ -32,8 +32,13 @@ struct VesselCrossing {
   std::string id;
   std::string name;
   Vec3 positionMm = Vec3::Zero();
-  double diameterMm = 0;  ///< equivalent: of the circle with the crossing's area, corrected for obliquity where known
+  /// Of the circle with the crossing's area, corrected for obliquity where known; not below the vessel's own calibre there.
+  double diameterMm = 0;
+  bool runsAlong = false;  ///< the vessel runs along the cut rather than through it (kAlongCosine)
 };
+
+/// |cos| of the angle between the vessel's direction and the cut's normal below which the vessel runs along the cut: 20 degrees.
+inline constexpr double kAlongCosine = 0.35;
 
 struct ResectionVolume {
   std::string name;

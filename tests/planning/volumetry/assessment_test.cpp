@@ -237,7 +237,7 @@ TEST(Json, HasTheKeysOfTheContract) {
                                "functionalRemnantMl", "flrPercent", "resections", "islands", "tumours", "vesselsCrossed"}));
   EXPECT_EQ(keys(json["resections"][0]), (Names{"name", "volumeMl", "cutAreaMm2"}));
   EXPECT_EQ(keys(json["tumours"][0]), (Names{"name", "state", "marginMm", "marginAtLeastMm", "distanceMm"}));
-  EXPECT_EQ(keys(json["vesselsCrossed"][0]), (Names{"name", "positionMm", "diameterMm"}));
+  EXPECT_EQ(keys(json["vesselsCrossed"][0]), (Names{"name", "positionMm", "diameterMm", "runsAlongCut"}));
   EXPECT_EQ(json["totalMl"].get<double>(), r.totalMl);
   EXPECT_EQ(json["tumours"][0]["state"], "removed");
   EXPECT_TRUE(json["tumours"][0]["distanceMm"].is_null());
