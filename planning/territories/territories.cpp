@@ -1,6 +1,7 @@
 #include "planning/territories/territories.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "planning/volumetry/nearest_site.h"
 #include "planning/volumetry/side_pieces.h"
@@ -233,13 +234,33 @@ Territories segmentTerritories(const LiverVoxels& liver, const Segmentation& seg
   return made;
 }
 
+namespace {
+/// L: all parts together, its runs as they were before they were dealt.
+VoxelRows liverOf(const Territories& territories) {
+  std::vector<RowRun> runs;
+  for (const Territory& part : territories.parts) {
+    runs.insert(runs.end(), part.rows.runs.begin(), part.rows.runs.end());
+  }
+  std::sort(runs.begin(), runs.end(),
+            [](const RowRun& a, const RowRun& b) { return std::tie(a.k, a.j, a.i) < std::tie(b.k, b.j, b.i); });
+  VoxelRows liver;
+  for (const RowRun& run : runs) {
+    append(liver, run);
+  }
+  return liver;
+}
+}  // namespace
+
 std::vector<TerritoryVolume> volumesOf(const Territories& territories, const ResectionPlan& plan) {
   const std::vector<ImageResection> resections = toImage(plan, territories.geometry);
+  const std::optional<SidePieces> sides =
+      plan.islands.empty() ? std::nullopt : switchedSides(liverOf(territories), territories.geometry, plan, resections);
   const double voxelMl = territories.geometry.voxelVolumeMm3() * kMlPerMm3;
   std::vector<TerritoryVolume> volumes;
   volumes.reserve(territories.parts.size());
   for (const Territory& part : territories.parts) {
-    const std::int64_t resected = resect(part.rows, territories.geometry.spacing, resections).totalUnits();
+    std::int64_t resected = resect(part.rows, territories.geometry.spacing, resections).totalUnits();
+    resected += sides ? sides->switchedUnits(part.rows, resections) : 0;
     const std::int64_t remnant = (static_cast<std::int64_t>(part.rows.voxels) << 32) - resected;
     volumes.push_back({part.name, static_cast<double>(part.rows.voxels) * voxelMl,
                        static_cast<double>(resected) / kUnitsPerVoxel * voxelMl,

@@ -66,7 +66,8 @@ struct TerritoryVolume {
   double resectedMl = 0;
   double remnantMl = 0;
 };
-/// How much of each part a plan takes, by exact fractions of voxels. Throws PlanningError where a plane is not finite.
+/// How much of each part a plan takes, by exact fractions of voxels, islands where the plan gives them. Throws PlanningError where
+/// a plane is not finite.
 std::vector<TerritoryVolume> volumesOf(const Territories& territories, const ResectionPlan& plan);
 
 }  // namespace glisson

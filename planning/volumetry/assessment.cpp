@@ -13,7 +13,6 @@
 #include "planning/volumetry/tumour_margin.h"
 #include "planning/volumetry/vessel_crossings.h"
 #include "reconstruction/parallel.h"
-#include "reconstruction/text.h"
 
 namespace glisson {
 
@@ -24,9 +23,7 @@ struct PlanInImage {
   std::vector<ImageResection> resections;
   std::optional<SidePieces> sides;
 
-  [[nodiscard]] bool hasSwitched() const {
-    return sides && (sides->anySwitched(PlanSide::Resected) || sides->anySwitched(PlanSide::Remnant));
-  }
+  [[nodiscard]] bool hasSwitched() const { return sides && sides->anySwitched(); }
 };
 
 /// Voxels twice: flat planes take whole runs, bent ones block by block.
@@ -126,11 +123,6 @@ PlanAssessor::PlanAssessor(PlanAssessor&&) noexcept = default;
 PlanAssessor& PlanAssessor::operator=(PlanAssessor&&) noexcept = default;
 
 namespace {
-std::string noIsland(const Vec3& point) {
-  return "The piece at (" + formatNumber(point[0], 1) + ", " + formatNumber(point[1], 1) + ", " + formatNumber(point[2], 1) +
-         ") mm is no island of its own, so it counts on the side where the planes leave it.";
-}
-
 void addSentence(std::string& text, const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; }
 
 /// The runs that have a piece of the surface, voxel by voxel: each piece has then one voxel before it and one behind. `origin`:
@@ -277,25 +269,10 @@ TumourAssessment PlanAssessor::Impl::assessTumour(std::size_t place, const PlanI
   return result;
 }
 
-namespace {
-/// The sides' pieces, each island where the plan gives it; says in `warning` what has no effect.
-SidePieces sidesOf(const VoxelRows& liver, const ImageGeometry& geometry, const PlanInImage& plan, std::string& warning) {
-  SidePieces sides(liver, geometry.spacing, plan.resections);
-  for (const IslandAssignment& island : plan.source.islands) {
-    if (!sides.switchAt(geometry.direction.transpose() * (island.point - geometry.origin), island.to)) {
-      addSentence(warning, noIsland(island.point));
-    }
-  }
-  return sides;
-}
-}  // namespace
-
 PlanAssessment PlanAssessor::volumes(const ResectionPlan& source) const {
   PlanInImage plan{source, toImage(source, impl_->geometry), {}};
   std::string warning;
-  if (!source.islands.empty()) {
-    plan.sides = sidesOf(impl_->liver.rows, impl_->geometry, plan, warning);
-  }
+  plan.sides = switchedSides(impl_->liver.rows, impl_->geometry, source, plan.resections, &warning);
   PlanAssessment result = impl_->volumes(plan);
   if (!warning.empty()) {
     addSentence(result.warning, warning);
@@ -342,9 +319,7 @@ std::vector<VesselCrossing> PlanAssessor::Impl::findCrossings(const PlanInImage&
 PlanAssessment PlanAssessor::Impl::assess(const ResectionPlan& source, bool withIslands) const {
   PlanInImage plan{source, toImage(source, geometry), {}};
   std::string warning;
-  if (!source.islands.empty()) {
-    plan.sides = sidesOf(liver.rows, geometry, plan, warning);
-  }
+  plan.sides = switchedSides(liver.rows, geometry, source, plan.resections, &warning);
   PlanAssessment result;
   std::vector<TumourAssessment> assessed;
   std::vector<VesselCrossing> crossings;
