@@ -2833,6 +2833,14 @@
         <source>Not read as a mask: %1, a CT beside the masks.</source>
         <translation>Nicht als Maske gelesen: %1, eine CT neben den Masken.</translation>
     </message>
+    <message>
+        <source>%1 takes nothing: other resections of the plan already take all that it would.</source>
+        <translation>%1 nimmt nichts: Andere Resektionen des Plans nehmen schon alles, was sie nähme.</translation>
+    </message>
+    <message>
+        <source>The resections of the plan together take all of the liver, so nothing of it remains.</source>
+        <translation>Die Resektionen des Plans nehmen zusammen die ganze Leber, sodass nichts von ihr bleibt.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>

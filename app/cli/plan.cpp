@@ -43,10 +43,17 @@ std::size_t resectionIndex(const ResectionPlan& plan, const std::string& name, c
   throw UsageError(flag + " " + name + " is not in " + plan.name + "; it holds: " + (names.empty() ? "none" : names));
 }
 
-/// A resection that takes nothing or everything is refused: its numbers would look like a plan.
-void checkDivides(const ResectionVolume& added, double totalMl, const Case& source) {
-  if (added.volumeMl > 0 && added.volumeMl < totalMl) {
+/// A resection that takes nothing, and a plan that takes everything, are refused: their numbers would look like a plan.
+void checkDivides(const PlanAssessment& assessment, std::size_t changed, const Case& source) {
+  const ResectionVolume& resection = assessment.resections[changed];
+  if (assessment.divides && resection.volumeMl > 0) {
     return;
+  }
+  if (resection.dividesByItself) {
+    throw UsageError(resection.volumeMl > 0
+                         ? "the resections of the plan together take all of the liver, so nothing was stored"
+                         : "the resection takes nothing, since others of the plan already take all that it would, "
+                           "so nothing was stored");
   }
   const IndexBox& box = source.liver->liver.box();
   Vec3 middle;
@@ -55,7 +62,7 @@ void checkDivides(const ResectionVolume& added, double totalMl, const Case& sour
     middle[axis] = box.first[a] + 0.5 * (box.size[a] - 1);
   }
   const Vec3 centre = source.liver->geometry.toWorld(middle);
-  throw UsageError("the plane does not divide the liver (" + std::string(added.volumeMl > 0 ? "all of it" : "nothing") +
+  throw UsageError("the plane does not divide the liver (" + std::string(resection.volumeMl > 0 ? "all of it" : "nothing") +
                    " would be resected), so nothing was stored; the liver lies about (" + formatNumber(centre.x(), 1) + ", " +
                    formatNumber(centre.y(), 1) + ", " + formatNumber(centre.z(), 1) + ") mm");
 }
@@ -376,7 +383,7 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   const PlanAssessment assessment = assessor.assess(work.plan());
   context.throwIfCancelled();
   for (const std::size_t resection : work.cut) {
-    checkDivides(assessment.resections[resection], assessment.totalMl, work.source);
+    checkDivides(assessment, resection, work.source);
   }
   const std::optional<Comparison> comparison = compared(flags, work, assessor);
   std::optional<TerritoryCommand> territories;

@@ -215,6 +215,8 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 cannot be read; check that it is there and that you may read it.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 does not divide the liver: nothing is resected.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 does not divide the liver: all of it is resected.")},
+    {"k", QT_TRANSLATE_NOOP("Sentence", "%1 takes nothing: other resections of the plan already take all that it would.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The resections of the plan together take all of the liver, so nothing of it remains.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has a plane that is not finite; place it again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "\"manifest.json\" has been changed since the export: export the plan again.")},
     {"sn", QT_TRANSLATE_NOOP(

@@ -64,6 +64,8 @@ struct PlanAssessor::Impl {
   }
   [[nodiscard]] PlanAssessment volumes(const PlanInImage& plan) const;
   [[nodiscard]] PlanAssessment assess(const ResectionPlan& source, bool withIslands) const;
+  /// What is wrong with resections, or with the plan, that do not divide L.
+  void explain(PlanAssessment& result, const Resected& inLiver, const PlanInImage& plan) const;
   void addVolumes(PlanAssessment& result, const Resected& inLiver, std::int64_t resected, std::int64_t diseased) const;
   [[nodiscard]] std::vector<IslandAssessment> listIslands(const PlanInImage& plan, const SidePieces& sides) const;
   [[nodiscard]] std::vector<TumourAssessment> assessTumours(const PlanInImage& plan) const;
@@ -183,6 +185,31 @@ void PlanAssessor::Impl::addVolumes(PlanAssessment& result, const Resected& inLi
   result.volumeUncertaintyMl = 0.5 * geometry.spacing.maxCoeff() * area * kMlPerMm3;
 }
 
+void PlanAssessor::Impl::explain(PlanAssessment& result, const Resected& inLiver, const PlanInImage& plan) const {
+  const std::int64_t total = unitsOf(liver.rows);
+  const bool takesAll = inLiver.totalUnits() == total;
+  bool oneTakesAll = false;
+  for (std::size_t r = 0; r < plan.resections.size(); ++r) {
+    if (inLiver.units[r] > 0 && !takesAll) {
+      continue;
+    }
+    // Of what several resections take, the first one has it: only by itself a resection shows what it takes.
+    const std::int64_t alone = resected(liver, {plan.source, {plan.resections[r]}, {}}).totalUnits();
+    ResectionVolume& resection = result.resections[r];
+    if (alone == 0 || alone == total) {
+      resection.dividesByItself = false;
+      oneTakesAll = oneTakesAll || alone == total;
+      addSentence(result.warning,
+                  resection.name + " does not divide the liver: " + (alone == 0 ? "nothing" : "all of it") + " is resected.");
+    } else if (inLiver.units[r] == 0) {
+      addSentence(result.warning, resection.name + " takes nothing: other resections of the plan already take all that it would.");
+    }
+  }
+  if (takesAll && !oneTakesAll && !plan.resections.empty()) {
+    addSentence(result.warning, "The resections of the plan together take all of the liver, so nothing of it remains.");
+  }
+}
+
 PlanAssessment PlanAssessor::Impl::volumes(const PlanInImage& plan) const {
   Resected inLiver = resected(liver, plan);
   const std::int64_t total = unitsOf(liver.rows);
@@ -193,11 +220,8 @@ PlanAssessment PlanAssessor::Impl::volumes(const PlanInImage& plan) const {
   result.divides = plan.resections.empty() || (byPlanes > 0 && byPlanes < total);
   for (std::size_t r = 0; r < plan.resections.size(); ++r) {
     result.resections.push_back({resectionName(plan.source.resections[r], r), 0, 0});
-    if (inLiver.units[r] == 0 || inLiver.units[r] == total) {
-      result.warning += (result.warning.empty() ? "" : " ") + result.resections.back().name +
-                        " does not divide the liver: " + (inLiver.units[r] == 0 ? "nothing" : "all of it") + " is resected.";
-    }
   }
+  explain(result, inLiver, plan);
   std::int64_t taken = byPlanes;
   std::int64_t diseased = resected(lesionsInLiver, plan).totalUnits();
   if (plan.hasSwitched()) {

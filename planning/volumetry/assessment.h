@@ -44,6 +44,7 @@ struct ResectionVolume {
   std::string name;
   double volumeMl = 0;
   double cutAreaMm2 = 0;
+  bool dividesByItself = true;  ///< takes some of L and leaves some; it has nothing then where others of the plan already take it
 };
 
 /// A separated piece that is not the main one of its side (side_pieces.h), of more than kListedIslandMl or given to the other side.
@@ -71,7 +72,9 @@ struct PlanAssessment {
   std::vector<IslandAssessment> islands;    ///< largest first; only in assess()
   std::vector<TumourAssessment> tumours;
   std::vector<VesselCrossing> vesselsCrossed;
-  std::string warning;              ///< e.g. "Resection 1 does not divide the liver: nothing is resected."
+  /// Why resections or the whole plan do not divide the liver, e.g. "Resection 1 does not divide the liver: nothing is resected.",
+  /// and islands that are none. Not empty where the plan does not divide.
+  std::string warning;
   std::uint64_t modelRevision = 0;  ///< what it came from
 };
 

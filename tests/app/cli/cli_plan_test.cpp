@@ -275,6 +275,14 @@ TEST_F(CliPlanning, PlaneThatIsThereIsBentBentAnewAndMadeFlatAgain) {
   EXPECT_NEAR(again["resectedMl"], flat["resectedMl"], 1e-6);
 }
 
+TEST_F(CliPlanning, ResectionsThatTakeAllOrNothingBesideOthersAreRefusedAndStoreNothing) {
+  ASSERT_FALSE(plan({"--plane", at(0, 0, 0) + ",1,0,0"}).is_null());
+  const std::string before = bytesOf(file_);
+  expectRefusal(refused({"--plane", at(5, 0, 0) + ",-1,0,0"}), 2, "together take all of the liver");
+  expectRefusal(refused({"--plane", at(20, 0, 0) + ",1,0,0"}), 2, "others of the plan already take all that it would");
+  EXPECT_EQ(bytesOf(file_), before);
+}
+
 TEST_F(CliPlanning, PlaneThatIsNotThereIsNeitherBentNorFlattened) {
   const std::string zeros = "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0";
   expectRefusal(refused({"--bend-plane", "1," + zeros}), 2, "needs --resection");
