@@ -5635,6 +5635,10 @@ L %2</translation>
         <source>Nearest vessel: the case has no vessels.</source>
         <translation>Nächstes Gefäß: der Fall hat keine Gefäße.</translation>
     </message>
+    <message>
+        <source>To the capsule: at least %1, for the liver goes on beyond the image there</source>
+        <translation>Zur Kapsel: mindestens %1, denn dort reicht die Leber über das Bild hinaus</translation>
+    </message>
 </context>
 <context>
     <name>glisson::WorkspaceBar</name>

@@ -119,7 +119,8 @@ void print(const std::vector<TumourMeasures>& measures) {
   std::vector<std::vector<std::string>> rows{{"tumour", "nearest vessel", "volume", "diameter", "to vessel", "to capsule"}};
   for (const TumourMeasures& m : measures) {
     rows.push_back({m.id + " " + m.name, m.vesselMm ? m.nearestVessel : "-", formatNumber(m.volumeMl, 2) + " mL",
-                    millimetres(m.longestDiameterMm), millimetres(m.vesselMm), millimetres(m.capsuleMm)});
+                    millimetres(m.longestDiameterMm), millimetres(m.vesselMm),
+                    (m.capsuleBeyondImage ? ">= " : "") + millimetres(m.capsuleMm)});
   }
   std::cout << alignedTable(rows);
 }

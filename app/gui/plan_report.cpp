@@ -126,7 +126,7 @@ QString tumoursOf(const PlanReport& report) {
       if (m.id == tumour.id) {
         volume = mlText(m.volumeMl, 1);
         diameter = mmText(m.longestDiameterMm);
-        capsule = mmText(m.capsuleMm);
+        capsule = (m.capsuleBeyondImage ? QStringLiteral("\u2265\u00A0") : QString()) + mmText(m.capsuleMm);
         vessel = m.vesselMm ? shownName(m.nearestVessel) + QStringLiteral(", ") + mmText(*m.vesselMm) : QString();
       }
     }

@@ -165,7 +165,7 @@ TEST_F(CliPlanning, TumoursAreMeasuredAndDistancesKept) {
   ASSERT_EQ(json["tumourMeasures"].size(), 3U);
   for (const Json& tumour : json["tumourMeasures"]) {
     EXPECT_EQ(keysOf(tumour), (Keys{"id", "name", "volumeMl", "longestDiameterMm", "diameterFromMm", "diameterToMm", "capsuleMm",
-                                    "nearestVessel", "vesselMm"}));
+                                    "capsuleBeyondImage", "nearestVessel", "vesselMm"}));
     // A body of this volume is no shorter than the ball of it.
     const double ball = 2 * std::cbrt(tumour["volumeMl"].get<double>() * 1000 * 3 / 4 / 3.14159265358979);
     EXPECT_GE(tumour["longestDiameterMm"].get<double>(), ball);
