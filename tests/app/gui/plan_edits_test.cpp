@@ -1,0 +1,95 @@
+// Edits of a plan in the window: what comes in while a plane is dragged, and the plane around a tumour.
+
+#include <QApplication>
+#include <QMouseEvent>
+
+#include "app/gui/view_area.h"
+#include "main_window_test.h"
+#include "planning/resection/place_plane.h"
+#include "viewer/plane_handles.h"
+
+namespace glisson {
+namespace {
+
+using test::smallCentre;
+using test::waitFor;
+
+class PlanEdits : public test::MainWindowTest {
+ protected:
+  void mouse(QEvent::Type type, const Pixel& at) {
+    ModelView& view = window->views().modelView();
+    const QPointF pixel(at.x(), at.y());
+    const Qt::MouseButtons held =
+        type == QEvent::MouseButtonRelease ? Qt::MouseButtons(Qt::NoButton) : Qt::MouseButtons(Qt::LeftButton);
+    QMouseEvent event(type, pixel, view.mapToGlobal(pixel), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, held,
+                      Qt::NoModifier);
+    QApplication::sendEvent(&view, &event);
+  }
+  /// Takes the arrow's tip and moves it; where it is then.
+  Pixel startDrag() {
+    ModelView& view = window->views().modelView();
+    const Pixel tip = view.camera().toPixel(view.handles()->arrowTip);
+    mouse(QEvent::MouseButtonPress, tip);
+    mouse(QEvent::MouseMove, tip + Pixel(6, 3));
+    EXPECT_TRUE(document().isDragging());
+    return tip + Pixel(6, 3);
+  }
+};
+
+TEST_F(PlanEdits, UndoWhileAPlaneIsDraggedCancelsTheDrag) {
+  openSmall();
+  document().placePlane({smallCentre(), Vec3(1, 0.2, 0.1).normalized()});
+  document().movePlane({smallCentre() + Vec3(4, 0, 0), Vec3(1, 0.2, 0.1).normalized()});
+  ASSERT_TRUE(settle());
+  const Pixel at = startDrag();
+  document().undoStack().undo();  // the move
+  EXPECT_FALSE(document().isDragging());
+  ASSERT_TRUE(document().plane().has_value());
+  EXPECT_EQ(document().plane()->origin, smallCentre());
+  mouse(QEvent::MouseMove, at + Pixel(9, 9));
+  mouse(QEvent::MouseButtonRelease, at + Pixel(9, 9));
+  EXPECT_FALSE(document().isDragging());
+  EXPECT_EQ(document().plane()->origin, smallCentre()) << "the view has let go";
+  EXPECT_EQ(document().undoStack().index(), 1);
+  ASSERT_TRUE(settle()) << "the numbers come as always";
+}
+
+TEST_F(PlanEdits, DeletingThePlaneThatIsDraggedIsOneStepFromWhereItWas) {
+  openSmall();
+  document().placePlane({smallCentre(), Vec3(1, 0.2, 0.1).normalized()});
+  ASSERT_TRUE(settle());
+  const std::optional<ResectionPlane> start = document().plane();
+  const Pixel at = startDrag();
+  EXPECT_NE(document().plane(), start);
+  document().removePlane();
+  EXPECT_FALSE(document().isDragging());
+  EXPECT_FALSE(document().plane().has_value());
+  mouse(QEvent::MouseMove, at + Pixel(9, 9));
+  mouse(QEvent::MouseButtonRelease, at + Pixel(9, 9));
+  EXPECT_FALSE(document().plane().has_value());
+  ASSERT_TRUE(settle());
+  document().undoStack().undo();
+  EXPECT_EQ(document().plane(), start);
+  EXPECT_EQ(document().undoStack().index(), 1);
+}
+
+TEST_F(PlanEdits, AnotherPlanChosenWhileAPlaneIsDraggedKeepsItsOwn) {
+  openSmall();
+  document().placePlane({smallCentre(), Vec3(1, 0.2, 0.1).normalized()});
+  const ResectionPlane start = document().plane().value();
+  document().duplicatePlan();
+  document().choose({0, 0, 0});
+  ASSERT_TRUE(settle());
+  const Pixel at = startDrag();
+  document().choose({1, 0, 0});
+  EXPECT_FALSE(document().isDragging());
+  mouse(QEvent::MouseMove, at + Pixel(9, 9));
+  mouse(QEvent::MouseButtonRelease, at + Pixel(9, 9));
+  for (const ResectionPlan& plan : document().content().plans) {
+    EXPECT_EQ(plan.resections.at(0).planes.at(0), start);
+  }
+  ASSERT_TRUE(settle());
+}
+
+}  // namespace
+}  // namespace glisson
