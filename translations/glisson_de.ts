@@ -2138,10 +2138,6 @@
         <translation>Die Ebene lässt sich setzen, sobald die Volumina der Leber berechnet sind.</translation>
     </message>
     <message>
-        <source>The plane around %1 keeps at least %2 mm, takes %3 mL of functional liver and crosses %4 vessels of 3 mm and more.</source>
-        <translation>Die Ebene um %1 hält mindestens %2 mm Abstand, nimmt %3 mL funktionelle Leber und kreuzt %4 Gefäße ab 3 mm.</translation>
-    </message>
-    <message>
         <source>Open a case first.</source>
         <translation>Öffnen Sie zuerst einen Fall.</translation>
     </message>
@@ -2840,6 +2836,22 @@
     <message>
         <source>The resections of the plan together take all of the liver, so nothing of it remains.</source>
         <translation>Die Resektionen des Plans nehmen zusammen die ganze Leber, sodass nichts von ihr bleibt.</translation>
+    </message>
+    <message>
+        <source>The plane around %1 keeps at least %2 mm, takes by itself %3 mL of functional liver and crosses %4 vessels of 3 mm and more.</source>
+        <translation>Die Ebene um %1 hält mindestens %2 mm Abstand, nimmt für sich allein %3 mL funktionelle Leber und kreuzt %4 Gefäße ab 3 mm.</translation>
+    </message>
+    <message>
+        <source>It crosses %1, %2 mm wide.</source>
+        <translation>Sie kreuzt %1, %2 mm weit.</translation>
+    </message>
+    <message>
+        <source>It cuts along %1, %2 mm wide.</source>
+        <translation>Sie schneidet längs an %1 entlang, %2 mm weit.</translation>
+    </message>
+    <message>
+        <source>The plan has changed while the plane around %1 was sought, so it is not placed; ask for it again.</source>
+        <translation>Der Plan hat sich geändert, während die Ebene um %1 gesucht wurde, deshalb wird sie nicht gesetzt; fordern Sie sie neu an.</translation>
     </message>
 </context>
 <context>

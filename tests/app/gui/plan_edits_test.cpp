@@ -1,8 +1,10 @@
 // Edits of a plan in the window: what comes in while a plane is dragged, and the plane around a tumour.
 
 #include <QApplication>
+#include <QMenu>
 #include <QMouseEvent>
 
+#include "app/gui/message_bar.h"
 #include "app/gui/view_area.h"
 #include "main_window_test.h"
 #include "planning/resection/place_plane.h"
@@ -89,6 +91,34 @@ TEST_F(PlanEdits, AnotherPlanChosenWhileAPlaneIsDraggedKeepsItsOwn) {
     EXPECT_EQ(plan.resections.at(0).planes.at(0), start);
   }
   ASSERT_TRUE(settle());
+}
+
+TEST_F(PlanEdits, ThePlaneAroundATumourIsNotPlacedInAPlanThatHasChanged) {
+  openSmall();
+  document().edit(SetSafetyMargin{3});
+  find<QMenu>("placeAroundTumour")->actions().front()->trigger();
+  document().edit(SetSafetyMargin{8});
+  ASSERT_TRUE(waitFor([&] { return !window->messages().messages().isEmpty(); }));
+  EXPECT_TRUE(window->messages().messages().last().contains("The plan has changed while the plane around tumour 1 was sought"));
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(document().plane().has_value());
+}
+
+TEST_F(PlanEdits, ThePlaneAroundATumourIsAResectionOfItsOwnBesideAWedgeAndItsVesselsAreNamed) {
+  openSmall();
+  document().edit(SetSafetyMargin{20});
+  document().placePlane({smallCentre() - Vec3(20, 0, 0), -Vec3::UnitX()});
+  document().edit(AddPlane{0, HalfSpace{smallCentre(), Vec3::UnitY()}});
+  ASSERT_TRUE(settle());
+  const std::vector<Resection> before = document().plan().resections;
+  find<QMenu>("placeAroundTumour")->actions().front()->trigger();
+  ASSERT_TRUE(waitFor([&] { return document().plan().resections.size() == 2; }));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(document().plan().resections[0], before[0]);
+  EXPECT_EQ(document().assessment().tumours.at(0).state, TumourState::Removed);
+  EXPECT_GE(document().assessment().tumours.at(0).marginAtLeastMm.value(), 20);
+  const QString text = window->messages().messages().last();
+  EXPECT_TRUE(text.contains("crosses 1 vessels of 3 mm and more. It crosses portal vein, ")) << text.toStdString();
 }
 
 }  // namespace
