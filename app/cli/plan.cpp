@@ -201,7 +201,7 @@ void editIsland(const std::string& text, Work& work) {
   const auto& islands = work.plan().islands;
   for (std::size_t n = 0; n < islands.size(); ++n) {
     if ((islands[n].point - island.point).norm() <= kSamePointMm) {
-      work.edit(ReleaseIsland{n});
+      work.edit(ReleaseIsland{{n}});
       return;
     }
   }

@@ -243,8 +243,19 @@ std::vector<IslandAssessment> PlanAssessor::Impl::listIslands(const PlanInImage&
   for (std::size_t n = 0; n < sides.pieces().size(); ++n) {
     const SidePiece& piece = sides.pieces()[n];
     if (!piece.main && (piece.switched || ml(piece.units) > kListedIslandMl)) {
-      islands.push_back({piece.side, piece.switched, ml(piece.units), ml(piece.units - diseased[n]),
-                         geometry.origin + geometry.direction * piece.point});
+      islands.push_back({piece.side,
+                         piece.switched,
+                         ml(piece.units),
+                         ml(piece.units - diseased[n]),
+                         geometry.origin + geometry.direction * piece.point,
+                         {}});
+      for (std::size_t given = 0; given < plan.source.islands.size(); ++given) {
+        const IslandAssignment& one = plan.source.islands[given];
+        if (one.to != piece.side &&
+            sides.pieceAt(piece.side, geometry.direction.transpose() * (one.point - geometry.origin)) == n) {
+          islands.back().assignments.push_back(given);
+        }
+      }
     }
   }
   std::stable_sort(islands.begin(), islands.end(),

@@ -53,7 +53,8 @@ struct IslandAssessment {
   bool assigned = false;              ///< given to the other side, where its volumes count
   double volumeMl = 0;
   double functionalMl = 0;
-  Vec3 point = Vec3::Zero();  ///< mm LPS, a voxel's centre inside it: names it in IslandAssignment
+  Vec3 point = Vec3::Zero();               ///< mm LPS, a voxel's centre inside it: names it in IslandAssignment
+  std::vector<std::size_t> assignments{};  ///< of the plan's islands, by place, those that give it away
 };
 inline constexpr double kListedIslandMl = 1.0;
 
