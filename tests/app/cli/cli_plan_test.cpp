@@ -275,6 +275,24 @@ TEST_F(CliPlanning, PlaneThatIsThereIsBentBentAnewAndMadeFlatAgain) {
   EXPECT_NEAR(again["resectedMl"], flat["resectedMl"], 1e-6);
 }
 
+TEST_F(CliPlanning, DeletingAPlanExcludesEditsOfAnother) {
+  ASSERT_FALSE(plan({"--plane", at(0, 0, 0) + ",1,0,0"}).is_null());
+  ASSERT_FALSE(plan({"--duplicate", "B"}).is_null());
+  const std::string before = bytesOf(file_);
+  for (const auto& edit : std::vector<std::vector<std::string>>{{"--margin", "3"},
+                                                                {"--plane", at(5, 0, 0) + ",1,0,0"},
+                                                                {"--remove-resection", "Resection 1"},
+                                                                {"--flatten-plane", "1"},
+                                                                {"--measure", "0,0,0,1,1,1"},
+                                                                {"--rename", "C"}}) {
+    std::vector<std::string> call{"--plan", "B", "--delete"};
+    call.insert(call.end(), edit.begin(), edit.end());
+    expectRefusal(refused(call), 2, "--delete and " + edit.front() + " exclude each other");
+  }
+  EXPECT_EQ(bytesOf(file_), before);
+  EXPECT_EQ(plan({"--plan", "B", "--delete"})["plan"], "Plan 1");
+}
+
 TEST_F(CliPlanning, ResectionsThatTakeAllOrNothingBesideOthersAreRefusedAndStoreNothing) {
   ASSERT_FALSE(plan({"--plane", at(0, 0, 0) + ",1,0,0"}).is_null());
   const std::string before = bytesOf(file_);
