@@ -2830,6 +2830,10 @@
         <translation>Nicht als Maske gelesen: %1, eine CT neben den Masken.</translation>
     </message>
     <message>
+        <source>Margins know the voxel size only; segmentation, breathing, registration and transection are not included.</source>
+        <translation>Abstände berücksichtigen nur die Voxelgröße; Segmentierung, Atmung, Registrierung und Durchtrennung sind nicht enthalten.</translation>
+    </message>
+    <message>
         <source>%1 takes nothing: other resections of the plan already take all that it would.</source>
         <translation>%1 nimmt nichts: Andere Resektionen des Plans nehmen schon alles, was sie nähme.</translation>
     </message>

@@ -317,6 +317,7 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
   json["plan"] = work.plan().name;
   json["safetyMarginMm"] = work.plan().safetyMarginMm;
   json["warning"] = assessment.warning.empty() ? Json(nullptr) : Json(assessment.warning);
+  json["marginNotice"] = kMarginNotice;
   json["tumourMeasures"] = Json::parse(toJson(tumours));
   json["measures"] = measuresJson(work.plan().measures);
   if (hasBends(work.plan())) {

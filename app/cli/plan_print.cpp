@@ -66,8 +66,7 @@ void print(const PlanAssessment& a) {
       rows.push_back({tumour.id + " " + tumour.name, std::string(textOf(tumour.state)), millimetres(tumour.marginMm),
                       millimetres(tumour.marginAtLeastMm), millimetres(tumour.distanceMm)});
     }
-    std::cout << alignedTable(rows)
-              << "margins: voxel size only; segmentation, breathing, registration and transection not included\n";
+    std::cout << alignedTable(rows) << kMarginNotice << '\n';
   }
   for (const VesselCrossing& vessel : a.vesselsCrossed) {
     printVessel(vessel);

@@ -58,6 +58,7 @@ class PlanPanel : public Translated<QWidget> {
   PlaneEditor* editor_;
   QLabel* tumoursLabel_;
   QTreeWidget* tumours_;
+  QLabel* marginNotice_;
   QLabel* vesselsLabel_;
   QTreeWidget* vessels_;
   IslandBox* islands_;

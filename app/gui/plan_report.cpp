@@ -137,7 +137,7 @@ QString tumoursOf(const PlanReport& report) {
                  tumour.marginAtLeastMm ? mmText(*tumour.marginAtLeastMm) : QString()});
   }
   return heading(ReportText::tr("Tumours (safety margin %1)").arg(mmText(report.plan.safetyMarginMm))) +
-         untreatedOf(report.assessment) + table(rows);
+         untreatedOf(report.assessment) + table(rows) + paragraph(shownSentence(std::string(kMarginNotice)));
 }
 
 QString islandsOf(const PlanReport& report) {

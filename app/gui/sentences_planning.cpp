@@ -213,6 +213,9 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "a mesh has a vertex that is not finite")},
     {"", QT_TRANSLATE_NOOP("Sentence", "a mesh has a triangle without its vertex")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 cannot be read; check that it is there and that you may read it.")},
+    {"",
+     QT_TRANSLATE_NOOP(
+         "Sentence", "Margins know the voxel size only; segmentation, breathing, registration and transection are not included.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 does not divide the liver: nothing is resected.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 does not divide the liver: all of it is resected.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 takes nothing: other resections of the plan already take all that it would.")},

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planning/case/case.h"
@@ -16,6 +17,10 @@ std::string_view textOf(TumourState state);
 
 /// "resected", "remnant".
 std::string_view textOf(PlanSide side);
+
+/// What stands beside margins wherever they are shown (method.md 5).
+inline constexpr std::string_view kMarginNotice =
+    "Margins know the voxel size only; segmentation, breathing, registration and transection are not included.";
 
 struct TumourAssessment {
   std::string id;

@@ -1,8 +1,10 @@
 // Edits of a plan in the window: what comes in while a plane is dragged, and the plane around a tumour.
 
 #include <QApplication>
+#include <QLabel>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QTreeWidget>
 
 #include "app/gui/message_bar.h"
 #include "app/gui/view_area.h"
@@ -119,6 +121,18 @@ TEST_F(PlanEdits, ThePlaneAroundATumourIsAResectionOfItsOwnBesideAWedgeAndItsVes
   EXPECT_GE(document().assessment().tumours.at(0).marginAtLeastMm.value(), 20);
   const QString text = window->messages().messages().last();
   EXPECT_TRUE(text.contains("crosses 1 vessels of 3 mm and more. It crosses portal vein, ")) << text.toStdString();
+}
+
+TEST_F(PlanEdits, MarginsSayWhatTheyDoNotKnow) {
+  openSmall();
+  auto* notice = find<QLabel>("marginNotice");
+  auto* panel = find<QWidget>("planPanel");
+  EXPECT_FALSE(notice->isVisibleTo(panel)) << "no plane, no margin";
+  document().placePlane({smallCentre(), Vec3::UnitX()});
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(notice->isVisibleTo(panel));
+  EXPECT_TRUE(notice->text().contains("segmentation, breathing, registration and transection are not included"));
+  EXPECT_TRUE(find<QTreeWidget>("tumourTable")->topLevelItem(0)->toolTip(2).contains("breathing"));
 }
 
 }  // namespace
