@@ -2857,6 +2857,10 @@
         <source>The plan has changed while the plane around %1 was sought, so it is not placed; ask for it again.</source>
         <translation>Der Plan hat sich geändert, während die Ebene um %1 gesucht wurde, deshalb wird sie nicht gesetzt; fordern Sie sie neu an.</translation>
     </message>
+    <message>
+        <source>not picked</source>
+        <translation>nicht gewählt</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>

@@ -78,6 +78,7 @@ constexpr auto kNames = std::to_array<SentenceRow>({
     {"n", QT_TRANSLATE_NOOP("Sentence", "Resection %1")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Distance %1")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Territory %1")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "not picked")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Plan %1")},
 });
 

@@ -169,10 +169,13 @@ Territories territoriesOf(const LiverVoxels& liver, const VesselGraph& portal, c
   std::vector<Index3> sites;
   std::vector<std::size_t> labels;
   IndexBox box = liver.liver.box();
+  const bool othersCompete = choice.source != TerritorySource::Proposal;
+  const std::size_t notPicked = choice.picks.size();
   for (const VesselSite& site : portal.sites) {
-    if (picks[at(site.branch)] >= 0 && portal.branches[at(site.branch)].role == BranchRole::Supplying) {
+    const bool picked = picks[at(site.branch)] >= 0;
+    if ((picked || othersCompete) && portal.branches[at(site.branch)].role == BranchRole::Supplying) {
       sites.push_back(site.voxel);
-      labels.push_back(at(picks[at(site.branch)]));
+      labels.push_back(picked ? at(picks[at(site.branch)]) : notPicked);
       box = enclosing(box, {site.voxel, {1, 1, 1}});
     }
   }
@@ -185,6 +188,7 @@ Territories territoriesOf(const LiverVoxels& liver, const VesselGraph& portal, c
   for (const TerritoryPick& pick : choice.picks) {
     made.parts.push_back({pick.name, {}});
   }
+  made.parts.push_back({std::string(kNotPicked), {}});
   const auto offset = [&](int i, int j, int k) {
     return static_cast<std::size_t>(i - box.first[0]) +
            static_cast<std::size_t>(box.size[0]) *
@@ -193,6 +197,9 @@ Territories territoriesOf(const LiverVoxels& liver, const VesselGraph& portal, c
   };
   dealVoxels(
       liver.liver, [&](int i, int j, int k) { return labels[at(nearest[offset(i, j, k)])]; }, made.parts);
+  if (made.parts.back().rows.voxels == 0) {
+    made.parts.pop_back();
+  }
   return made;
 }
 
