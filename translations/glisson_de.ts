@@ -5250,6 +5250,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>Notes on the input and the surfaces</source>
         <translation>Anmerkungen zu Eingabe und Oberflächen</translation>
     </message>
+    <message>
+        <source>Written %1 UTC; case %2, model revision %3.</source>
+        <translation>Geschrieben %1 UTC; Fall %2, Modellrevision %3.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ReportWriter</name>
@@ -5322,6 +5326,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>%1 cannot be written; check the folder.</source>
         <translation>%1 lässt sich nicht schreiben; prüfen Sie den Ordner.</translation>
+    </message>
+    <message>
+        <source>The case has no plan &quot;%1&quot;; it has: %2.</source>
+        <translation>Der Fall hat keinen Plan „%1“; er hat: %2.</translation>
     </message>
 </context>
 <context>

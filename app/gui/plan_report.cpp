@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QLocale>
 #include <QPainter>
 #include <QPdfWriter>
@@ -78,6 +79,13 @@ QString patientLine(const PlanReport& report) {
   parts << ReportText::tr("CT of %1").arg(dateText(patient.studyDate)) << QString::fromStdString(patient.seriesDescription);
   parts.removeAll(QString());
   return parts.join(QStringLiteral(" \u00B7 "));
+}
+
+/// What the report is of, and when it was written.
+QString writtenLine(const PlanReport& report) {
+  return ReportText::tr("Written %1 UTC; case %2, model revision %3.")
+      .arg(QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyy-MM-dd HH:mm")),
+           QString::fromStdString(report.content.code), QString::number(report.content.model->revision));
 }
 
 QString numbersOf(const PlanReport& report) {
@@ -370,7 +378,7 @@ PlanReport withoutIdentity(const PlanReport& report) {
 
 QString bodyOf(const PlanReport& report) {
   QString html = QStringLiteral("<h2>") + ReportText::tr("Resection plan: %1").arg(shownName(report.plan.name)).toHtmlEscaped() +
-                 QStringLiteral("</h2>") + paragraph(patientLine(report));
+                 QStringLiteral("</h2>") + paragraph(patientLine(report)) + paragraph(writtenLine(report));
   html += QStringLiteral("<table width=\"100%\"><tr>");
   const std::array names{ReportText::tr("from anterior"), ReportText::tr("from superior"), ReportText::tr("from the left")};
   for (std::size_t n = 0; n < names.size(); ++n) {
