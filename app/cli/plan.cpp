@@ -5,7 +5,9 @@
 
 #include "app/cli/command.h"
 #include "app/cli/plan_flags.h"
+#include "app/cli/plan_json.h"
 #include "app/cli/plan_print.h"
+#include "planning/exchange/version.h"
 #include "planning/resection/plan_edit.h"
 #include "planning/resection/plan_list.h"
 #include "planning/storage/case_file.h"
@@ -255,41 +257,6 @@ std::optional<Comparison> compared(const PlanFlags& flags, Work& work, const Pla
   return comparison;
 }
 
-/// The plan's bent planes; numbers count from 1.
-Json bendsJson(const ResectionPlan& plan) {
-  Json json = Json::array();
-  for (const Resection& resection : plan.resections) {
-    for (std::size_t p = 0; p < resection.planes.size(); ++p) {
-      const ResectionPlane& plane = resection.planes[p];
-      if (plane.bend) {
-        const Vec3& u = plane.bend->u;
-        const Vec3 v = plane.normal.cross(u);
-        json.push_back({{"resection", resection.name},
-                        {"plane", p + 1},
-                        {"originMm", {plane.origin[0], plane.origin[1], plane.origin[2]}},
-                        {"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}},
-                        {"u", {u[0], u[1], u[2]}},
-                        {"v", {v[0], v[1], v[2]}},
-                        {"halfSizeMm", plane.bend->halfSizeMm},
-                        {"order", kBendOrder},
-                        {"heightsMm", plane.bend->heightsMm}});
-      }
-    }
-  }
-  return json;
-}
-
-Json measuresJson(const std::vector<Measure>& measures) {
-  Json json = Json::array();
-  for (const Measure& m : measures) {
-    json.push_back({{"name", m.name},
-                    {"fromMm", {m.from[0], m.from[1], m.from[2]}},
-                    {"toMm", {m.to[0], m.to[1], m.to[2]}},
-                    {"distanceMm", m.mm()}});
-  }
-  return json;
-}
-
 void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, const std::vector<TumourMeasures>& tumours,
           const std::optional<Comparison>& comparison, const TerritoryCommand* territories) {
   const FlrCard card = flrCard(work.source.patient, assessment);
@@ -314,17 +281,22 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
   }
   Json json = Json::parse(territories == nullptr ? toJson(assessment)
                                                  : toJson(assessment, territories->report(work.plan()), territories->perfusion()));
+  json["program"] = "Glisson";
+  json["version"] = glissonVersion();
+  json["case"] = work.source.code;
+  json["ctDate"] = work.source.identity.studyDate.empty() ? Json(nullptr) : Json(work.source.identity.studyDate);
   json["plan"] = work.plan().name;
   json["safetyMarginMm"] = work.plan().safetyMarginMm;
   json["warning"] = assessment.warning.empty() ? Json(nullptr) : Json(assessment.warning);
   json["marginNotice"] = kMarginNotice;
   json["tumourMeasures"] = Json::parse(toJson(tumours));
   json["measures"] = measuresJson(work.plan().measures);
+  json["planes"] = planesJson(work.plan());
   if (hasBends(work.plan())) {
     json["bends"] = bendsJson(work.plan());
   }
   json["flrCard"] = Json::parse(toJson(card));
-  json["structures"] = acceptanceJson(*work.source.model);
+  json["structures"] = structuresJson(*work.source.model);
   if (work.proposal) {
     json["marginProposal"] = Json::parse(toJson(*work.proposal));
   }
