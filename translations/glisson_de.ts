@@ -2138,10 +2138,6 @@
         <translation>Die Ebene lässt sich setzen, sobald die Volumina der Leber berechnet sind.</translation>
     </message>
     <message>
-        <source>The plane around %1 keeps at least %2 mm, takes %3 mL of functional liver and crosses %4 vessels of 3 mm and more.</source>
-        <translation>Die Ebene um %1 hält mindestens %2 mm Abstand, nimmt %3 mL funktionelle Leber und kreuzt %4 Gefäße ab 3 mm.</translation>
-    </message>
-    <message>
         <source>Open a case first.</source>
         <translation>Öffnen Sie zuerst einen Fall.</translation>
     </message>
@@ -2836,6 +2832,38 @@
     <message>
         <source>not simplified: only a closed manifold surface can be</source>
         <translation>nicht vereinfacht: Das geht nur bei einer geschlossenen, mannigfaltigen Oberfläche</translation>
+    </message>
+    <message>
+        <source>Margins know the voxel size only; segmentation, breathing, registration and transection are not included.</source>
+        <translation>Abstände berücksichtigen nur die Voxelgröße; Segmentierung, Atmung, Registrierung und Durchtrennung sind nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>%1 takes nothing: other resections of the plan already take all that it would.</source>
+        <translation>%1 nimmt nichts: Andere Resektionen des Plans nehmen schon alles, was sie nähme.</translation>
+    </message>
+    <message>
+        <source>The resections of the plan together take all of the liver, so nothing of it remains.</source>
+        <translation>Die Resektionen des Plans nehmen zusammen die ganze Leber, sodass nichts von ihr bleibt.</translation>
+    </message>
+    <message>
+        <source>The plane around %1 keeps at least %2 mm, takes by itself %3 mL of functional liver and crosses %4 vessels of 3 mm and more.</source>
+        <translation>Die Ebene um %1 hält mindestens %2 mm Abstand, nimmt für sich allein %3 mL funktionelle Leber und kreuzt %4 Gefäße ab 3 mm.</translation>
+    </message>
+    <message>
+        <source>It crosses %1, %2 mm wide.</source>
+        <translation>Sie kreuzt %1, %2 mm weit.</translation>
+    </message>
+    <message>
+        <source>It cuts along %1, %2 mm wide.</source>
+        <translation>Sie schneidet längs an %1 entlang, %2 mm weit.</translation>
+    </message>
+    <message>
+        <source>The plan has changed while the plane around %1 was sought, so it is not placed; ask for it again.</source>
+        <translation>Der Plan hat sich geändert, während die Ebene um %1 gesucht wurde, deshalb wird sie nicht gesetzt; fordern Sie sie neu an.</translation>
+    </message>
+    <message>
+        <source>not picked</source>
+        <translation>nicht gewählt</translation>
     </message>
     <message>
         <source>no triangle can be spared within %1 mm</source>
@@ -4557,6 +4585,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>Vessels crossed: -, %1</source>
         <translation>Durchtrennte Gefäße: -, %1</translation>
     </message>
+    <message>
+        <source>%1, along the cut</source>
+        <translation>%1, längs des Schnitts</translation>
+    </message>
 </context>
 <context>
     <name>glisson::PlaneEditor</name>
@@ -5226,6 +5258,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>Notes on the input and the surfaces</source>
         <translation>Anmerkungen zu Eingabe und Oberflächen</translation>
     </message>
+    <message>
+        <source>Written %1 UTC; case %2, model revision %3.</source>
+        <translation>Geschrieben %1 UTC; Fall %2, Modellrevision %3.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ReportWriter</name>
@@ -5298,6 +5334,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>%1 cannot be written; check the folder.</source>
         <translation>%1 lässt sich nicht schreiben; prüfen Sie den Ordner.</translation>
+    </message>
+    <message>
+        <source>The case has no plan &quot;%1&quot;; it has: %2.</source>
+        <translation>Der Fall hat keinen Plan „%1“; er hat: %2.</translation>
     </message>
 </context>
 <context>
@@ -5630,6 +5670,10 @@ L %2</translation>
     <message>
         <source>Nearest vessel: the case has no vessels.</source>
         <translation>Nächstes Gefäß: der Fall hat keine Gefäße.</translation>
+    </message>
+    <message>
+        <source>To the capsule: at least %1, for the liver goes on beyond the image there</source>
+        <translation>Zur Kapsel: mindestens %1, denn dort reicht die Leber über das Bild hinaus</translation>
     </message>
 </context>
 <context>

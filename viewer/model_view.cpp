@@ -98,6 +98,13 @@ void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
   requestRender();
 }
 
+void ModelView::cancelDrag() {
+  impl_->drag.reset();
+  impl_->bendDrag.reset();
+  impl_->sectionStale = true;
+  requestRender();
+}
+
 void ModelView::setHandlesShown(bool shown) {
   impl_->handlesShown = shown;
   requestRender();

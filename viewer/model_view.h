@@ -43,6 +43,8 @@ class ModelView : public VtkWidget {
   void setPlan(ResectionPlan plan, const PlaneChoice& choice = {});
   /// Without handles planes are only looked at. With them is the default.
   void setHandlesShown(bool shown);
+  /// Lets go of the handle that is dragged; the plane stays where setPlan() puts it, and planeDragFinished() does not come.
+  void cancelDrag();
   /// Draws every frame with the full meshes in full resolution, whatever it costs, so that all surfaces are seen alike; where
   /// OpenGL runs in software large ones then move in jumps. Not so is the default.
   void setFullDetail(bool full);

@@ -65,6 +65,11 @@ ResectionMap ModelView::Impl::mapOf(std::size_t resection, std::size_t index, bo
   map.safetyMarginMm = plan.safetyMarginMm;
   map.within = planes;
   map.within.erase(map.within.begin() + static_cast<std::ptrdiff_t>(index));
+  for (std::size_t r = 0; r < plan.resections.size(); ++r) {
+    if (r != resection && !plan.resections[r].planes.empty()) {
+      map.others.push_back(plan.resections[r].planes);
+    }
+  }
   const auto loopsOf = [&](const StructureActors& actors) {
     return sectionLoops(coarse ? actors.coarseMesh() : actors.mesh(), map.plane);
   };

@@ -18,10 +18,15 @@ struct ResectionMap {
   ResectionPlane plane;
   std::vector<Loop> outline;           ///< where it cuts the liver
   std::vector<ResectionPlane> within;  ///< the other planes of its resection: what lies outside of them is no resection surface
-  std::optional<MarginMap> margins;    ///< over the outline's rectangle; nothing where there is no tumour
+  /// The planes of each other resection: what lies inside of them all is resected on both sides, and no resection surface.
+  std::vector<std::vector<ResectionPlane>> others;
+  std::optional<MarginMap> margins;  ///< over the outline's rectangle; nothing where there is no tumour
   double safetyMarginMm = 10;
   std::vector<std::pair<Rgb, Loop>> vessels;  ///< crossed inside the liver, each in its structure's colour
 };
+
+/// A point of the plane is inside another resection where this far before it, away from its own resected side, all is resected.
+inline constexpr double kBeforeMm = 1e-3;
 
 inline constexpr double kIsoLineMm = 5.0;            ///< between two iso lines of the distance
 inline constexpr double kFarthestMm = 40.0;          ///< no iso line beyond

@@ -217,10 +217,20 @@ void Resectogram::drawMap(QPainter& painter, const QRectF& box) const {
   painter.translate(box.center().x() - 0.5 * scale * mmWide, box.center().y() + 0.5 * scale * mmHigh);
   painter.scale(scale, -scale);
   QPainterPath outline = pathOf(map_->outline, grid);
-  const bool curved =
-      map_->plane.bend || std::ranges::any_of(map_->within, [](const ResectionPlane& bound) { return bound.bend.has_value(); });
+  const auto inside = [&](const ResectionPlane& bound, const PlaneGrid& at) {
+    return bound.bend || map_->plane.bend ? insideOf(bound, map_->plane, at) : insideOf(bound, at);
+  };
   for (const ResectionPlane& bound : map_->within) {
-    outline = outline.intersected(curved ? insideOf(bound, map_->plane, grid) : insideOf(bound, grid));
+    outline = outline.intersected(inside(bound, grid));
+  }
+  PlaneGrid before = grid;
+  before.origin -= kBeforeMm * map_->plane.normal;
+  for (const std::vector<ResectionPlane>& other : map_->others) {
+    QPainterPath taken = inside(other.front(), before);
+    for (std::size_t n = 1; n < other.size(); ++n) {
+      taken = taken.intersected(inside(other[n], before));
+    }
+    outline = outline.subtracted(taken);
   }
   painter.setClipPath(outline);
   painter.fillPath(outline, kPaper);

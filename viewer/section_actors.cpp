@@ -1,6 +1,7 @@
 #include "viewer/section_actors.h"
 
 #include <vtkActor.h>
+#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkClipPolyData.h>
@@ -22,6 +23,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <optional>
 
 namespace glisson {
 
@@ -64,28 +66,69 @@ void addLoop(vtkPoints* points, vtkCellArray* lines, const Loop& loop) {
   lines->InsertCellPoint(first);
 }
 
-/// Keeps what lies above the surface.
-void clip(vtkPolyData* data, const BentSurface& surface) {
-  if (data->GetPoints() == nullptr || data->GetNumberOfCells() == 0) {
-    return;
-  }
-  vtkNew<vtkDoubleArray> above;
-  above->SetName("above");
+bool isEmpty(vtkPolyData* data) { return data->GetPoints() == nullptr || data->GetNumberOfCells() == 0; }
+
+/// The part where `value` of a point is above 0, or below it; exact where it is linear.
+template <typename Value>
+vtkSmartPointer<vtkPolyData> clipped(vtkPolyData* data, bool above, const Value& value) {
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("above");
   for (vtkIdType n = 0; n < data->GetNumberOfPoints(); ++n) {
     Vec3 at;
     data->GetPoint(n, at.data());
-    above->InsertNextValue(surface.above(at));
+    values->InsertNextValue(value(at));
   }
   vtkNew<vtkPolyData> marked;
   marked->ShallowCopy(data);
-  marked->GetPointData()->SetScalars(above);
+  marked->GetPointData()->SetScalars(values);
   vtkNew<vtkClipPolyData> clipper;
   clipper->SetInputData(marked);
   clipper->SetValue(0);
+  clipper->SetInsideOut(above ? 0 : 1);
   clipper->Update();
-  vtkPolyData* kept = clipper->GetOutput();
+  vtkSmartPointer<vtkPolyData> kept = clipper->GetOutput();
   kept->GetPointData()->SetScalars(nullptr);
-  data->ShallowCopy(kept);
+  return kept;
+}
+
+/// Keeps what lies above the surface.
+void clip(vtkPolyData* data, const BentSurface& surface) {
+  if (!isEmpty(data)) {
+    data->ShallowCopy(clipped(data, true, [&](const Vec3& at) { return surface.above(at); }));
+    data->Modified();
+  }
+}
+
+/// Keeps what is not inside another resection: outside its first plane, or inside that and outside the second, and so on.
+void clipAway(vtkPolyData* data, const std::vector<ResectionPlane>& resection, const Vec3& before) {
+  if (isEmpty(data)) {
+    return;
+  }
+  vtkNew<vtkAppendPolyData> kept;
+  bool any = false;
+  vtkSmartPointer<vtkPolyData> rest = data;
+  for (const ResectionPlane& bound : resection) {
+    const std::optional<BentSurface> bent = bound.bend ? std::optional(BentSurface(bound)) : std::nullopt;
+    const auto above = [&](const Vec3& at) {
+      const Vec3 there = at + before;
+      return bent ? bent->above(there) : bound.normal.dot(there - bound.origin);
+    };
+    const vtkSmartPointer<vtkPolyData> outside = clipped(rest, false, above);
+    if (!isEmpty(outside)) {
+      kept->AddInputData(outside);
+      any = true;
+    }
+    rest = clipped(rest, true, above);
+    if (isEmpty(rest)) {
+      break;
+    }
+  }
+  if (any) {
+    kept->Update();
+    data->ShallowCopy(kept->GetOutput());
+  } else {
+    data->Initialize();
+  }
   data->Modified();
 }
 
@@ -177,6 +220,9 @@ void SectionActors::setSection(const ResectionMap& map, const QImage& margins) {
   setMargins(map, margins);
   for (Drawable* part : impl_->all) {
     part->mapper->RemoveAllClippingPlanes();
+    for (const std::vector<ResectionPlane>& other : map.others) {
+      clipAway(part->data, other, -kBeforeMm * map.plane.normal);
+    }
     for (const ResectionPlane& bound : map.within) {
       if (bound.bend) {
         clip(part->data, BentSurface(bound));

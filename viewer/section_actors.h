@@ -1,6 +1,6 @@
 #pragma once
 // Purpose: one plane of the plan in 3D: fill, grid and margin colours lie in the model's renderer, the outlines of liver and
-// crossed vessels in the overlay, where nothing hides them. Only the part that bounds its resection is drawn. Frame: mm LPS.
+// crossed vessels in the overlay, where nothing hides them. Only the part that bounds the plan's region is drawn. Frame: mm LPS.
 
 #include <QImage>
 #include <memory>

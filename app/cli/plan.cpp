@@ -5,7 +5,9 @@
 
 #include "app/cli/command.h"
 #include "app/cli/plan_flags.h"
+#include "app/cli/plan_json.h"
 #include "app/cli/plan_print.h"
+#include "planning/exchange/version.h"
 #include "planning/resection/plan_edit.h"
 #include "planning/resection/plan_list.h"
 #include "planning/storage/case_file.h"
@@ -43,10 +45,17 @@ std::size_t resectionIndex(const ResectionPlan& plan, const std::string& name, c
   throw UsageError(flag + " " + name + " is not in " + plan.name + "; it holds: " + (names.empty() ? "none" : names));
 }
 
-/// A resection that takes nothing or everything is refused: its numbers would look like a plan.
-void checkDivides(const ResectionVolume& added, double totalMl, const Case& source) {
-  if (added.volumeMl > 0 && added.volumeMl < totalMl) {
+/// A resection that takes nothing, and a plan that takes everything, are refused: their numbers would look like a plan.
+void checkDivides(const PlanAssessment& assessment, std::size_t changed, const Case& source) {
+  const ResectionVolume& resection = assessment.resections[changed];
+  if (assessment.divides && resection.volumeMl > 0) {
     return;
+  }
+  if (resection.dividesByItself) {
+    throw UsageError(resection.volumeMl > 0
+                         ? "the resections of the plan together take all of the liver, so nothing was stored"
+                         : "the resection takes nothing, since others of the plan already take all that it would, "
+                           "so nothing was stored");
   }
   const IndexBox& box = source.liver->liver.box();
   Vec3 middle;
@@ -55,7 +64,7 @@ void checkDivides(const ResectionVolume& added, double totalMl, const Case& sour
     middle[axis] = box.first[a] + 0.5 * (box.size[a] - 1);
   }
   const Vec3 centre = source.liver->geometry.toWorld(middle);
-  throw UsageError("the plane does not divide the liver (" + std::string(added.volumeMl > 0 ? "all of it" : "nothing") +
+  throw UsageError("the plane does not divide the liver (" + std::string(resection.volumeMl > 0 ? "all of it" : "nothing") +
                    " would be resected), so nothing was stored; the liver lies about (" + formatNumber(centre.x(), 1) + ", " +
                    formatNumber(centre.y(), 1) + ", " + formatNumber(centre.z(), 1) + ") mm");
 }
@@ -194,7 +203,7 @@ void editIsland(const std::string& text, Work& work) {
   const auto& islands = work.plan().islands;
   for (std::size_t n = 0; n < islands.size(); ++n) {
     if ((islands[n].point - island.point).norm() <= kSamePointMm) {
-      work.edit(ReleaseIsland{n});
+      work.edit(ReleaseIsland{{n}});
       return;
     }
   }
@@ -248,41 +257,6 @@ std::optional<Comparison> compared(const PlanFlags& flags, Work& work, const Pla
   return comparison;
 }
 
-/// The plan's bent planes; numbers count from 1.
-Json bendsJson(const ResectionPlan& plan) {
-  Json json = Json::array();
-  for (const Resection& resection : plan.resections) {
-    for (std::size_t p = 0; p < resection.planes.size(); ++p) {
-      const ResectionPlane& plane = resection.planes[p];
-      if (plane.bend) {
-        const Vec3& u = plane.bend->u;
-        const Vec3 v = plane.normal.cross(u);
-        json.push_back({{"resection", resection.name},
-                        {"plane", p + 1},
-                        {"originMm", {plane.origin[0], plane.origin[1], plane.origin[2]}},
-                        {"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}},
-                        {"u", {u[0], u[1], u[2]}},
-                        {"v", {v[0], v[1], v[2]}},
-                        {"halfSizeMm", plane.bend->halfSizeMm},
-                        {"order", kBendOrder},
-                        {"heightsMm", plane.bend->heightsMm}});
-      }
-    }
-  }
-  return json;
-}
-
-Json measuresJson(const std::vector<Measure>& measures) {
-  Json json = Json::array();
-  for (const Measure& m : measures) {
-    json.push_back({{"name", m.name},
-                    {"fromMm", {m.from[0], m.from[1], m.from[2]}},
-                    {"toMm", {m.to[0], m.to[1], m.to[2]}},
-                    {"distanceMm", m.mm()}});
-  }
-  return json;
-}
-
 void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, const std::vector<TumourMeasures>& tumours,
           const std::optional<Comparison>& comparison, const TerritoryCommand* territories) {
   const FlrCard card = flrCard(work.source.patient, assessment);
@@ -307,16 +281,22 @@ void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, 
   }
   Json json = Json::parse(territories == nullptr ? toJson(assessment)
                                                  : toJson(assessment, territories->report(work.plan()), territories->perfusion()));
+  json["program"] = "Glisson";
+  json["version"] = glissonVersion();
+  json["case"] = work.source.code;
+  json["ctDate"] = work.source.identity.studyDate.empty() ? Json(nullptr) : Json(work.source.identity.studyDate);
   json["plan"] = work.plan().name;
   json["safetyMarginMm"] = work.plan().safetyMarginMm;
   json["warning"] = assessment.warning.empty() ? Json(nullptr) : Json(assessment.warning);
+  json["marginNotice"] = kMarginNotice;
   json["tumourMeasures"] = Json::parse(toJson(tumours));
   json["measures"] = measuresJson(work.plan().measures);
+  json["planes"] = planesJson(work.plan());
   if (hasBends(work.plan())) {
     json["bends"] = bendsJson(work.plan());
   }
   json["flrCard"] = Json::parse(toJson(card));
-  json["structures"] = acceptanceJson(*work.source.model);
+  json["structures"] = structuresJson(*work.source.model);
   if (work.proposal) {
     json["marginProposal"] = Json::parse(toJson(*work.proposal));
   }
@@ -376,7 +356,7 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   const PlanAssessment assessment = assessor.assess(work.plan());
   context.throwIfCancelled();
   for (const std::size_t resection : work.cut) {
-    checkDivides(assessment.resections[resection], assessment.totalMl, work.source);
+    checkDivides(assessment, resection, work.source);
   }
   const std::optional<Comparison> comparison = compared(flags, work, assessor);
   std::optional<TerritoryCommand> territories;

@@ -69,19 +69,6 @@ std::shared_ptr<const LiverModel> accepted(const std::shared_ptr<const LiverMode
   return changed;
 }
 
-nlohmann::ordered_json acceptanceJson(const LiverModel& model) {
-  using Json = nlohmann::ordered_json;
-  Json json = Json::array();
-  for (const Structure& structure : model.structures) {
-    const auto& acceptance = structure.acceptance;
-    json.push_back({{"id", structure.id},
-                    {"name", structure.name},
-                    {"acceptedBy", acceptance ? Json(acceptance->by) : Json()},
-                    {"acceptedAt", acceptance ? Json(acceptance->at) : Json()}});
-  }
-  return json;
-}
-
 void printAcceptance(const LiverModel& model) {
   std::string open;
   for (const Structure& structure : model.structures) {

@@ -1,7 +1,6 @@
 #pragma once
 // Purpose: `plan --accept-structure`: a person accepts structures of a case by name, or takes it back.
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -23,8 +22,6 @@ void checkAcceptanceFlags(const AcceptanceFlags& flags);
 std::shared_ptr<const LiverModel> accepted(const std::shared_ptr<const LiverModel>& model, const AcceptanceFlags& flags,
                                            const std::string& file);
 
-/// [{id, name, acceptedBy, acceptedAt}], null where nobody has.
-nlohmann::ordered_json acceptanceJson(const LiverModel& model);
 void printAcceptance(const LiverModel& model);
 
 }  // namespace glisson::cli

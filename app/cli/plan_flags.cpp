@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "planning/resection/place_plane.h"
 #include "reconstruction/errors.h"
@@ -131,7 +133,35 @@ void addPlanFlags(CLI::App& command, PlanFlags& flags) {
   addTerritoryFlags(command, flags.territories);
 }
 
+namespace {
+/// An edit beside --delete would fall on another plan than the one that is named.
+void checkDeletesOnly(const PlanFlags& flags) {
+  const std::array edits{std::pair{"--plane", !flags.planes.empty()},
+                         std::pair{"--points", !flags.points.empty()},
+                         std::pair{"--line", !flags.lines.empty()},
+                         std::pair{"--slice", !flags.slices.empty()},
+                         std::pair{"--propose-margin", !flags.proposeMargin.empty()},
+                         std::pair{"--bend-plane", !flags.bendPlanes.empty()},
+                         std::pair{"--flatten-plane", !flags.flattenPlanes.empty()},
+                         std::pair{"--remove-resection", !flags.removeResection.empty()},
+                         std::pair{"--margin", !flags.margin.empty()},
+                         std::pair{"--island", !flags.islands.empty()},
+                         std::pair{"--measure", !flags.measures.empty()},
+                         std::pair{"--duplicate", !flags.duplicate.empty()},
+                         std::pair{"--rename", !flags.rename.empty()}};
+  for (const auto& [flag, given] : edits) {
+    if (given) {
+      throw UsageError(std::string("--delete and ") + flag +
+                       " exclude each other: the plan that is named would be gone; give them in two calls");
+    }
+  }
+}
+}  // namespace
+
 void checkFlags(const PlanFlags& flags) {
+  if (flags.remove) {
+    checkDeletesOnly(flags);
+  }
   if (planesOf(flags, ImageGeometry()).empty() && !flags.bend.empty()) {
     throw UsageError("--bend needs a placed plane of the same call to bend; a proposed one would lose its margin");
   }

@@ -17,7 +17,7 @@ std::string at(const Vec3& p) {
 
 void printVessel(const VesselCrossing& vessel) {
   std::cout << "vessel crossed: " << vessel.name << " at " << at(vessel.positionMm) << ", diameter "
-            << formatNumber(vessel.diameterMm, 1) << " mm\n";
+            << formatNumber(vessel.diameterMm, 1) << " mm" << (vessel.runsAlong ? ", runs along the cut" : "") << '\n';
 }
 
 std::string unitOf(FlrRatioKind kind) { return kind == FlrRatioKind::PerBsaMlPerM2 ? "mL/m2" : "%"; }
@@ -66,8 +66,7 @@ void print(const PlanAssessment& a) {
       rows.push_back({tumour.id + " " + tumour.name, std::string(textOf(tumour.state)), millimetres(tumour.marginMm),
                       millimetres(tumour.marginAtLeastMm), millimetres(tumour.distanceMm)});
     }
-    std::cout << alignedTable(rows)
-              << "margins: voxel size only; segmentation, breathing, registration and transection not included\n";
+    std::cout << alignedTable(rows) << kMarginNotice << '\n';
   }
   for (const VesselCrossing& vessel : a.vesselsCrossed) {
     printVessel(vessel);
@@ -119,7 +118,8 @@ void print(const std::vector<TumourMeasures>& measures) {
   std::vector<std::vector<std::string>> rows{{"tumour", "nearest vessel", "volume", "diameter", "to vessel", "to capsule"}};
   for (const TumourMeasures& m : measures) {
     rows.push_back({m.id + " " + m.name, m.vesselMm ? m.nearestVessel : "-", formatNumber(m.volumeMl, 2) + " mL",
-                    millimetres(m.longestDiameterMm), millimetres(m.vesselMm), millimetres(m.capsuleMm)});
+                    millimetres(m.longestDiameterMm), millimetres(m.vesselMm),
+                    (m.capsuleBeyondImage ? ">= " : "") + millimetres(m.capsuleMm)});
   }
   std::cout << alignedTable(rows);
 }

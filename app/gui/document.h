@@ -105,7 +105,8 @@ class Document : public QObject {
   void withdrawAcceptance(const std::string& structureId);
 
   /// From begin to end is one undo step. Between them all numbers but the islands follow in the same frame where the last ones took
-  /// no longer than that, else the volumes alone.
+  /// no longer than that, else the volumes alone. Another edit, undo or choice meanwhile cancels it first: the plane is back where
+  /// it was, and dragCancelled() tells.
   void beginDrag();
   void dragTo(const ResectionPlane& plane);
   void endDrag(const ResectionPlane& plane);
@@ -142,6 +143,7 @@ class Document : public QObject {
   void planChanged();         ///< a plane stands elsewhere, another one is worked on, or the list of plans is another
   void patientChanged();      ///< what the user said about the patient
   void territoriesChanged();  ///< what the user said about the territories
+  void dragCancelled();       ///< whoever drags lets go
   void tumourDistanceChanged();
   /// What assessPlans() asked for, by plan.
   void plansAssessed(const std::vector<glisson::PlanAssessment>& assessments);
@@ -157,6 +159,7 @@ class Document : public QObject {
   friend class TerritoriesCommand;
   friend class StructuresCommand;
   void leave();
+  void cancelDrag();
   /// A case whose file must not be written goes on in the recovery folder from its first edit on: no edit is in memory alone.
   void leaveReadOnlyFile();
   [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const ResectionPlane& plane) const;

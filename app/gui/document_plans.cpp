@@ -40,6 +40,10 @@ std::optional<ResectionPlane> Document::plane() const {
 }
 
 void Document::choose(const ChosenPlane& chosen) {
+  if (existing(case_.plans, chosen) == chosen_) {
+    return;
+  }
+  cancelDrag();
   const ChosenPlane next = existing(case_.plans, chosen);
   if (next == chosen_) {
     return;
@@ -73,6 +77,7 @@ void Document::pushPlans(const QString& name, std::vector<ResectionPlan> plans, 
 }
 
 void Document::placePlane(const HalfSpace& plane) {
+  cancelDrag();
   pushPlans(QString::fromLatin1(QT_TR_NOOP("place plane")), plansWithPlane(plane), chosen_);
 }
 
@@ -89,6 +94,7 @@ void Document::removePlane() {
 }
 
 void Document::startBend() {
+  cancelDrag();
   const std::optional<ResectionPlane> now = plane();
   if (now && !now->bend && case_.liver) {
     const ResectionPlane bent = bendOver(*case_.liver, *now);
@@ -109,6 +115,7 @@ void Document::flattenPlane() {
 }
 
 void Document::edit(const PlanEdit& edit) {
+  cancelDrag();
   std::vector<ResectionPlan> plans = case_.plans;
   if (chosen_.plan >= plans.size()) {
     return;
@@ -126,23 +133,27 @@ void Document::edit(const PlanEdit& edit) {
 }
 
 void Document::addPlan() {
+  cancelDrag();
   std::vector<ResectionPlan> plans = withNew(case_.plans);
   const std::size_t last = plans.size() - 1;
   pushPlans(QString::fromLatin1(QT_TR_NOOP("new plan")), std::move(plans), {last, 0, 0});
 }
 
 void Document::duplicatePlan() {
+  cancelDrag();
   pushPlans(QString::fromLatin1(QT_TR_NOOP("duplicate plan")), withDuplicate(case_.plans, chosen_.plan),
             {chosen_.plan + 1, chosen_.resection, chosen_.plane});
 }
 
 void Document::renamePlan(const std::string& name) {
+  cancelDrag();
   if (name != plan().name) {
     pushPlans(QString::fromLatin1(QT_TR_NOOP("rename plan")), withRenamed(case_.plans, chosen_.plan, name), chosen_);
   }
 }
 
 void Document::removePlan() {
+  cancelDrag();
   pushPlans(QString::fromLatin1(QT_TR_NOOP("delete plan")), without(case_.plans, chosen_.plan), {chosen_.plan, 0, 0});
 }
 
@@ -180,8 +191,23 @@ void Document::endDrag(const ResectionPlane& plane) {
   }
 }
 
+void Document::cancelDrag() {
+  if (beforeDrag_) {
+    case_.plans = std::move(*beforeDrag_);
+    beforeDrag_.reset();
+    emit dragCancelled();
+    emit planChanged();
+    assessInFrame();
+    assessAll();
+  }
+}
+
 void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name) {
   leaveReadOnlyFile();
+  if (beforeDrag_) {  // undone or done again
+    beforeDrag_.reset();
+    emit dragCancelled();
+  }
   case_.plans = std::move(plans);
   chosen_ = existing(case_.plans, chosen);
   store_.storePlans(case_.plans, name);

@@ -2,7 +2,6 @@
 
 #include <QTreeWidget>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "app/gui/narrow_table.h"
 #include "app/gui/number_text.h"
@@ -86,10 +85,7 @@ void IslandBox::give(int index, bool away) {
       document_.edit(AssignIsland{{.point = island.point, .to = otherSide(island.side)}});
       return;
     }
-    const std::vector<IslandAssignment>& given = document_.plan().islands;
-    const auto nearest =
-        std::ranges::min_element(given, {}, [&](const IslandAssignment& one) { return (one.point - island.point).squaredNorm(); });
-    document_.edit(ReleaseIsland{static_cast<std::size_t>(nearest - given.begin())});
+    document_.edit(ReleaseIsland{island.assignments});
   } catch (const Error& error) {
     emit refused(messageOf(error));
   }

@@ -47,7 +47,12 @@ int run(QApplication& application, const glisson::StartOptions& options) {
     window.opener().setOptions(options.read);
     window.opener().setUnattended(picture);
     if (picture) {
-      auto* taker = new ScreenshotTaker(window, *jobs, options.screenshot, options.pdf, options.sample, options.identity);
+      auto* taker = new ScreenshotTaker(window, *jobs,
+                                        {.picture = options.screenshot,
+                                         .report = options.pdf,
+                                         .plan = options.plan,
+                                         .placePlane = options.sample,
+                                         .withIdentity = options.identity});
       QObject::connect(taker, &ScreenshotTaker::done, &application, [&exitCode](int code, const QString& message) {
         exitCode = code == 0 ? 0 : tell(message, code);
         QApplication::exit(exitCode);

@@ -41,6 +41,7 @@ class MainWindow : public Translated<QMainWindow> {
   [[nodiscard]] CaseOpener& opener() { return *opener_; }
   [[nodiscard]] ModelBuilder& builder() { return *builder_; }
   [[nodiscard]] PlanePlacer& placer() { return *placer_; }
+  [[nodiscard]] TerritoryEstimator& territories() { return *territories_; }
   [[nodiscard]] ViewArea& views() { return *views_; }
   [[nodiscard]] MessageBar& messages() { return *messages_; }
   [[nodiscard]] ExportPanel& exportPanel() { return *export_; }

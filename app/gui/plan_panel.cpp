@@ -67,6 +67,8 @@ QString marginText(const TumourAssessment& tumour) {
   return QStringLiteral("-");
 }
 
+QString marginNotice() { return shownSentence(std::string(kMarginNotice)); }
+
 QString marginTip(const TumourAssessment& tumour) {
   if (tumour.marginMm) {
     return tumour.marginAtLeastMm ? PlanPanel::tr("%1, at least %2").arg(mmText(*tumour.marginMm), mmText(*tumour.marginAtLeastMm))
@@ -99,6 +101,10 @@ QString stateText(TumourState state) {
   return PlanPanel::tr("left");
 }
 
+QString crossedText(const VesselCrossing& vessel) {
+  return vessel.runsAlong ? PlanPanel::tr("%1, along the cut").arg(shownName(vessel.name)) : shownName(vessel.name);
+}
+
 QStringList tumourNames(const PlanAssessment& assessment, TumourState state) {
   QStringList names;
   for (const TumourAssessment& tumour : assessment.tumours) {
@@ -122,6 +128,7 @@ PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& te
       editor_(new PlaneEditor(this)),
       tumoursLabel_(new QLabel(this)),
       tumours_(makeTable("tumourTable", 3, this)),
+      marginNotice_(new QLabel(this)),
       vesselsLabel_(new QLabel(this)),
       vessels_(makeTable("vesselTable", 2, this)),
       islands_(new IslandBox(document, this)),
@@ -134,6 +141,8 @@ PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& te
   warning_->setWordWrap(true);
   uncertainty_->setObjectName("volumeNote");
   uncertainty_->setWordWrap(true);
+  marginNotice_->setObjectName("marginNotice");
+  marginNotice_->setWordWrap(true);
   vesselsLabel_->setObjectName("vesselsTitle");
   vesselsLabel_->setWordWrap(true);
 
@@ -141,9 +150,9 @@ PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& te
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(6, 4, 6, 4);
   column->setSpacing(3);
-  for (QWidget* part :
-       std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_, tumoursLabel_,
-                                       tumours_, vesselsLabel_, vessels_, islands_, card_, territories_, sizes_, measures_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_,
+                                                       tumoursLabel_, tumours_, marginNotice_, vesselsLabel_, vessels_, islands_,
+                                                       card_, territories_, sizes_, measures_}) {
     column->addWidget(part);
   }
   column->addStretch(1);
@@ -191,6 +200,7 @@ void PlanPanel::retranslateUi() {
   remnant_->setToolTip(tr("Volume left, tumours in it included, and its share of the whole liver"));
   tumoursLabel_->setText(tr("Tumours"));
   vesselsLabel_->setText(tr("Vessels crossed"));
+  marginNotice_->setText(marginNotice());
   tumours_->setHeaderLabels({tr("Tumour"), tr("State"), tr("Margin, mm")});
   vessels_->setHeaderLabels({tr("Vessel"), tr("Diameter")});
   refresh();
@@ -247,7 +257,7 @@ void PlanPanel::refreshMargin() {
   margin_->setOutOfDate({});
   margin_->setWarning({});
   margin_->setNote({});
-  margin_->setToolTip({});
+  margin_->setToolTip(marginNotice());
   if (!reason.isEmpty()) {
     margin_->setCaption(tr("MARGIN"));
     margin_->setValue(QStringLiteral("- mm"), {});
@@ -273,7 +283,8 @@ void PlanPanel::showTumoursLeft(const TumourAssessment& decisive) {
                                         : tr("TUMOURS, none is removed"));
   margin_->setValue(tr("%1 of %2").arg(counts.left).arg(counts.all()), stateText(TumourState::Left));
   margin_->setWarning(QStringLiteral("\u26A0 ") + tr("in the remnant"));
-  margin_->setToolTip(tr("Tumours in the remnant, which have no margin: %1").arg(names.join(QStringLiteral(", "))));
+  margin_->setToolTip(tr("Tumours in the remnant, which have no margin: %1").arg(names.join(QStringLiteral(", "))) +
+                      QStringLiteral("\n") + marginNotice());
 }
 
 void PlanPanel::showMarginOf(const TumourAssessment& tumour) {
@@ -300,10 +311,11 @@ void PlanPanel::refreshTables() {
     for (const TumourAssessment& tumour : now.tumours) {
       auto* row = new QTreeWidgetItem(tumours_, {shownName(tumour.name), stateText(tumour.state), marginText(tumour)});
       row->setToolTip(0, row->text(0));
-      row->setToolTip(2, marginTip(tumour));
+      row->setToolTip(2, marginTip(tumour) + QStringLiteral("\n") + marginNotice());
     }
     for (const VesselCrossing& vessel : now.vesselsCrossed) {
-      auto* row = new QTreeWidgetItem(vessels_, {shownName(vessel.name), mmText(vessel.diameterMm)});
+      auto* row = new QTreeWidgetItem(vessels_, {crossedText(vessel), mmText(vessel.diameterMm)});
+      row->setToolTip(0, row->text(0));
       row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     }
   }
@@ -314,6 +326,7 @@ void PlanPanel::refreshTables() {
   grey(tumours_);
   grey(vessels_);
   fitRows(*tumours_, std::min(tumours_->topLevelItemCount(), kMostTumourRows));
+  marginNotice_->setVisible(tumours_->topLevelItemCount() > 0);
   const bool counted = computed && missing.isEmpty();
   vesselsLabel_->setText(counted                                    ? tr("Vessels crossed: %1").arg(now.vesselsCrossed.size())
                          : document_.isOpen() && !missing.isEmpty() ? tr("Vessels crossed: -, %1").arg(missing)

@@ -58,6 +58,7 @@ class PlanPanel : public Translated<QWidget> {
   PlaneEditor* editor_;
   QLabel* tumoursLabel_;
   QTreeWidget* tumours_;
+  QLabel* marginNotice_;
   QLabel* vesselsLabel_;
   QTreeWidget* vessels_;
   IslandBox* islands_;
@@ -69,6 +70,8 @@ class PlanPanel : public Translated<QWidget> {
 
 /// "removed", "cut", "left", in the window's language.
 QString stateText(TumourState state);
+/// The vessel's name, with a word where it runs along the cut.
+QString crossedText(const VesselCrossing& vessel);
 /// The names, as they are shown, of the tumours in this state.
 QStringList tumourNames(const PlanAssessment& assessment, TumourState state);
 

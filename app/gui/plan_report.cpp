@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QLocale>
 #include <QPainter>
 #include <QPdfWriter>
@@ -80,6 +81,13 @@ QString patientLine(const PlanReport& report) {
   return parts.join(QStringLiteral(" \u00B7 "));
 }
 
+/// What the report is of, and when it was written.
+QString writtenLine(const PlanReport& report) {
+  return ReportText::tr("Written %1 UTC; case %2, model revision %3.")
+      .arg(QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyy-MM-dd HH:mm")),
+           QString::fromStdString(report.content.code), QString::number(report.content.model->revision));
+}
+
 QString numbersOf(const PlanReport& report) {
   const PlanAssessment& a = report.assessment;
   if (!a.divides) {
@@ -126,7 +134,7 @@ QString tumoursOf(const PlanReport& report) {
       if (m.id == tumour.id) {
         volume = mlText(m.volumeMl, 1);
         diameter = mmText(m.longestDiameterMm);
-        capsule = mmText(m.capsuleMm);
+        capsule = (m.capsuleBeyondImage ? QStringLiteral("\u2265\u00A0") : QString()) + mmText(m.capsuleMm);
         vessel = m.vesselMm ? shownName(m.nearestVessel) + QStringLiteral(", ") + mmText(*m.vesselMm) : QString();
       }
     }
@@ -137,7 +145,7 @@ QString tumoursOf(const PlanReport& report) {
                  tumour.marginAtLeastMm ? mmText(*tumour.marginAtLeastMm) : QString()});
   }
   return heading(ReportText::tr("Tumours (safety margin %1)").arg(mmText(report.plan.safetyMarginMm))) +
-         untreatedOf(report.assessment) + table(rows);
+         untreatedOf(report.assessment) + table(rows) + paragraph(shownSentence(std::string(kMarginNotice)));
 }
 
 QString islandsOf(const PlanReport& report) {
@@ -163,7 +171,7 @@ QString vesselsOf(const PlanReport& report) {
   QString rows = header({ReportText::tr("Vessel crossed"), ReportText::tr("diameter"), QStringLiteral("L"), QStringLiteral("P"),
                          QStringLiteral("S")});
   for (const VesselCrossing& vessel : report.assessment.vesselsCrossed) {
-    rows += row({shownName(vessel.name), mmText(vessel.diameterMm), numberText(vessel.positionMm.x(), 1),
+    rows += row({crossedText(vessel), mmText(vessel.diameterMm), numberText(vessel.positionMm.x(), 1),
                  numberText(vessel.positionMm.y(), 1), numberText(vessel.positionMm.z(), 1)});
   }
   return heading(ReportText::tr("Vessels crossed: %1").arg(report.assessment.vesselsCrossed.size())) + table(rows);
@@ -370,7 +378,7 @@ PlanReport withoutIdentity(const PlanReport& report) {
 
 QString bodyOf(const PlanReport& report) {
   QString html = QStringLiteral("<h2>") + ReportText::tr("Resection plan: %1").arg(shownName(report.plan.name)).toHtmlEscaped() +
-                 QStringLiteral("</h2>") + paragraph(patientLine(report));
+                 QStringLiteral("</h2>") + paragraph(patientLine(report)) + paragraph(writtenLine(report));
   html += QStringLiteral("<table width=\"100%\"><tr>");
   const std::array names{ReportText::tr("from anterior"), ReportText::tr("from superior"), ReportText::tr("from the left")};
   for (std::size_t n = 0; n < names.size(); ++n) {

@@ -137,23 +137,40 @@ void PlanePlacer::placeAroundTumour(const std::string& id) {
       [content = document_.content(), id, margin = document_.plan().safetyMarginMm](const ExecutionContext& context) {
         return proposeMarginPlane(content, id, margin, context);
       },
-      [this, code = document_.content().code](const MarginProposal& proposal) {
+      [this, code = document_.content().code, asked = document_.plan()](const MarginProposal& proposal) {
         if (document_.content().code == code) {
-          onProposed(proposal);
+          onProposed(proposal, asked);
         }
       });
 }
 
-void PlanePlacer::onProposed(const MarginProposal& proposal) {
+void PlanePlacer::onProposed(const MarginProposal& proposal, const ResectionPlan& asked) {
+  const ResectionPlan& plan = document_.plan();
+  if (plan != asked) {
+    emit refused(QString::fromStdString("The plan has changed while the plane around " + proposal.tumourName +
+                                        " was sought, so it is not placed; ask for it again."));
+    return;
+  }
   if (!proposal.plane) {
     emit refused(QString::fromStdString(proposal.reason));
     return;
   }
-  place([&] { return *proposal.plane; });
-  emit refused(QString::fromStdString("The plane around " + proposal.tumourName + " keeps at least " +
-                                      formatNumber(proposal.marginAtLeastMm, 1) + " mm, takes " +
-                                      formatNumber(proposal.resectedFunctionalMl, 0) + " mL of functional liver and crosses " +
-                                      std::to_string(proposal.vessels.size()) + " vessels of 3 mm and more. " + proposal.notice));
+  const std::size_t resection = document_.chosen().resection;
+  if (resection < plan.resections.size() && plan.resections[resection].planes.size() > 1) {
+    document_.edit(AddResection{{.name = {}, .planes = {*proposal.plane}}});  // with other planes it would not remove the tumour
+    emit placed();
+  } else {
+    place([&] { return *proposal.plane; });
+  }
+  std::string text = "The plane around " + proposal.tumourName + " keeps at least " + formatNumber(proposal.marginAtLeastMm, 1) +
+                     " mm, takes by itself " + formatNumber(proposal.resectedFunctionalMl, 0) +
+                     " mL of functional liver and crosses " + std::to_string(proposal.vessels.size()) +
+                     " vessels of 3 mm and more.";
+  for (const VesselCrossing& vessel : proposal.vessels) {
+    text += (vessel.runsAlong ? " It cuts along " : " It crosses ") + vessel.name + ", " + formatNumber(vessel.diameterMm, 1) +
+            " mm wide.";
+  }
+  emit refused(QString::fromStdString(text + " " + proposal.notice));
 }
 
 }  // namespace glisson

@@ -1,6 +1,7 @@
 #pragma once
 // Purpose: places planes in the document: as seen, by pointing in the 3D view, along the slices, around a tumour, by steps. Where
-// the plan has a plane, the one that is worked on goes there. Frame: mm LPS.
+// the plan has a plane, the one that is worked on goes there; one around a tumour gets a resection of its own where that plane
+// bounds one with others. Frame: mm LPS.
 
 #include <QObject>
 #include <optional>
@@ -40,7 +41,8 @@ class PlanePlacer : public QObject {
   void onPicked(const Pick& pick);
   void placeAlongSlice(SlicePlane slice);
   void placeAroundTumour(const std::string& id);
-  void onProposed(const MarginProposal& proposal);
+  /// `asked`: the plan that the proposal was asked for.
+  void onProposed(const MarginProposal& proposal, const ResectionPlan& asked);
   /// Places what `make` gives, or tells why there is none.
   void place(const std::function<HalfSpace()>& make);
 

@@ -2,10 +2,13 @@
 
 #include <QPainter>
 #include <QTimer>
+#include <algorithm>
+#include <utility>
 
 #include "app/gui/main_window.h"
 #include "app/gui/plane_placer.h"
 #include "app/gui/sentences.h"
+#include "app/gui/territory_estimator.h"
 #include "app/gui/view_area.h"
 #include "reconstruction/errors.h"
 
@@ -27,15 +30,8 @@ QImage pictureOf(MainWindow& window) {
   return picture;
 }
 
-ScreenshotTaker::ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString picture, QString report, bool placePlane,
-                                 bool withIdentity)
-    : QObject(&window),
-      window_(window),
-      jobs_(jobs),
-      picture_(std::move(picture)),
-      report_(std::move(report)),
-      placePlane_(placePlane),
-      withIdentity_(withIdentity) {
+ScreenshotTaker::ScreenshotTaker(MainWindow& window, JobRunner& jobs, What what)
+    : QObject(&window), window_(window), jobs_(jobs), what_(std::move(what)) {
   connect(&jobs_, &JobRunner::becameIdle, this, &ScreenshotTaker::proceed, Qt::QueuedConnection);
   connect(&window_, &MainWindow::failed, this,
           [this](const QString& message) { finish(window_.document().isOpen() && !reporting_ ? 4 : 3, message); });
@@ -51,30 +47,52 @@ void ScreenshotTaker::proceed() {
     finish(4, tr("%1 structures could not be reconstructed.").arg(window_.builder().missing()));
     return;
   }
-  if (placePlane_ && !document.plane()) {
-    placePlane_ = false;
+  choosePlan();
+  if (std::exchange(what_.placePlane, false) && !document.plane()) {
     window_.placer().placeAsSeen();
-    if (document.freshness() != Freshness::All || !jobs_.idle()) {
-      return;  // its numbers are computed in a job, whose end comes back here
-    }
+  }
+  if (!what_.report.isEmpty() && !document.content().territories.marks.empty() &&
+      window_.territories().state() == TerritoryEstimator::State::None && !std::exchange(estimated_, true)) {
+    window_.territories().estimate();
+  }
+  if (finished_ || !jobs_.idle()) {
+    return;  // computed in jobs, whose end comes back here
   }
   window_.workspaces().setCurrent(Workspace::Plan);
   // two turns of the event loop: layouts settle, then the views draw what they were told
   QTimer::singleShot(0, this, [this] { QTimer::singleShot(200, this, &ScreenshotTaker::write); });
 }
 
-void ScreenshotTaker::write() {
-  if (!picture_.isEmpty() && !pictureOf(window_).save(picture_, "PNG")) {
-    finish(3, tr("%1 cannot be written; check the folder.").arg(picture_));
+void ScreenshotTaker::choosePlan() {
+  const QString name = std::exchange(what_.plan, {});
+  if (name.isEmpty()) {
     return;
   }
-  if (report_.isEmpty()) {
+  const std::vector<ResectionPlan>& plans = window_.document().content().plans;
+  const auto found = std::ranges::find(plans, name.toStdString(), &ResectionPlan::name);
+  if (found != plans.end()) {
+    window_.document().choose({static_cast<std::size_t>(found - plans.begin()), 0, 0});
+    return;
+  }
+  QStringList names;
+  for (const ResectionPlan& plan : plans) {
+    names << QString::fromStdString(plan.name);
+  }
+  finish(2, tr("The case has no plan \"%1\"; it has: %2.").arg(name, names.join(QStringLiteral(", "))));
+}
+
+void ScreenshotTaker::write() {
+  if (!what_.picture.isEmpty() && !pictureOf(window_).save(what_.picture, "PNG")) {
+    finish(3, tr("%1 cannot be written; check the folder.").arg(what_.picture));
+    return;
+  }
+  if (what_.report.isEmpty()) {
     finish(0, {});
     return;
   }
   reporting_ = true;  // reportWritten() ends it
   try {
-    window_.writeReport(report_, withIdentity_);
+    window_.writeReport(what_.report, what_.withIdentity);
   } catch (const Error& error) {
     finish(3, shownSentence(messageOf(error)));
   }

@@ -17,24 +17,31 @@ QImage pictureOf(MainWindow& window);
 class ScreenshotTaker : public QObject {
   Q_OBJECT
  public:
-  /// Either path may be empty. `placePlane`: puts the first plane where the plan is empty (the sample patient's picture).
-  /// `withIdentity`: the report names the patient.
-  ScreenshotTaker(MainWindow& window, JobRunner& jobs, QString picture, QString report, bool placePlane, bool withIdentity);
+  struct What {
+    QString picture{};          ///< path of a PNG; this or the next may be empty
+    QString report{};           ///< path of a PDF
+    QString plan{};             ///< name of the plan; empty: the first
+    bool placePlane = false;    ///< puts the first plane where the plan is empty (the sample patient's picture)
+    bool withIdentity = false;  ///< the report names the patient
+  };
+  /// Territories that a person has confirmed are estimated for the report.
+  ScreenshotTaker(MainWindow& window, JobRunner& jobs, What what);
 
  signals:
-  /// 0: written. 3: an input was refused or the file cannot be written. 4: a structure could not be made. `message` is empty for 0.
+  /// 0: written. 2: the case has no such plan. 3: an input was refused or the file cannot be written. 4: a structure could not be
+  /// made. `message` is empty for 0.
   void done(int exitCode, const QString& message);
 
  private:
   void proceed();
+  /// Chooses the plan, or ends where there is none of that name.
+  void choosePlan();
   void write();
   void finish(int exitCode, const QString& message);
   MainWindow& window_;
   JobRunner& jobs_;
-  QString picture_;
-  QString report_;
-  bool placePlane_;
-  bool withIdentity_;
+  What what_;
+  bool estimated_ = false;  ///< or tried to
   bool reporting_ = false;
   bool finished_ = false;
 };

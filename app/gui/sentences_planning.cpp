@@ -213,8 +213,13 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "a mesh has a vertex that is not finite")},
     {"", QT_TRANSLATE_NOOP("Sentence", "a mesh has a triangle without its vertex")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 cannot be read; check that it is there and that you may read it.")},
+    {"",
+     QT_TRANSLATE_NOOP(
+         "Sentence", "Margins know the voxel size only; segmentation, breathing, registration and transection are not included.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 does not divide the liver: nothing is resected.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 does not divide the liver: all of it is resected.")},
+    {"k", QT_TRANSLATE_NOOP("Sentence", "%1 takes nothing: other resections of the plan already take all that it would.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "The resections of the plan together take all of the liver, so nothing of it remains.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has a plane that is not finite; place it again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "\"manifest.json\" has been changed since the export: export the plan again.")},
     {"sn", QT_TRANSLATE_NOOP(

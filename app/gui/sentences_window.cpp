@@ -43,10 +43,13 @@ constexpr auto kRows = std::to_array<SentenceRow>({
                            "another name.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The change is in no file: save the case under another name.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The plane can be placed as soon as the liver's volumes are computed.")},
-    {"knnn",
-     QT_TRANSLATE_NOOP("Sentence",
-                       "The plane around %1 keeps at least %2 mm, takes %3 mL of functional liver and crosses %4 vessels of 3 "
-                       "mm and more.")},
+    {"knnn", QT_TRANSLATE_NOOP("Sentence",
+                               "The plane around %1 keeps at least %2 mm, takes by itself %3 mL of functional liver and crosses %4 "
+                               "vessels of 3 mm and more.")},
+    {"kn", QT_TRANSLATE_NOOP("Sentence", "It crosses %1, %2 mm wide.")},
+    {"kn", QT_TRANSLATE_NOOP("Sentence", "It cuts along %1, %2 mm wide.")},
+    {"k", QT_TRANSLATE_NOOP("Sentence",
+                            "The plan has changed while the plane around %1 was sought, so it is not placed; ask for it again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "Open a case first.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 cannot be written; check the folder.")},
     {"", QT_TRANSLATE_NOOP("Sentence",
@@ -75,6 +78,7 @@ constexpr auto kNames = std::to_array<SentenceRow>({
     {"n", QT_TRANSLATE_NOOP("Sentence", "Resection %1")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Distance %1")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Territory %1")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "not picked")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "Plan %1")},
 });
 

@@ -18,7 +18,8 @@ void declare(QCommandLineParser& parser) {
       {"version", "Show the version and end."},
       {"sample", "Open the built-in sample patient."},
       {"screenshot", "Build the model, write a picture of the window, and end.", "OUT.png"},
-      {"pdf", "Build the model, write the report of its first plan, and end.", "OUT.pdf"},
+      {"pdf", "Build the model, write the report of a plan, and end.", "OUT.pdf"},
+      {"plan", "The plan of --pdf and --screenshot; without it the first.", "NAME"},
       {"identity", "The report of --pdf names the patient: name, id, birth date, as far as the case holds them."},
       {"size", "Size of the window.", "WxH"},
       {"lang", "Language of the window: en or de.", "CODE"},
@@ -60,6 +61,10 @@ StartOptions parseStartOptions(const QStringList& arguments) {
   }
   if (parser.isSet("pdf") && (options.pdf.isEmpty() || (!options.sample && options.paths.isEmpty()))) {
     throw UsageError("--pdf needs the name of a PDF and something to report: a case, files, or --sample.");
+  }
+  options.plan = parser.value("plan");
+  if (parser.isSet("plan") && (options.plan.isEmpty() || (options.pdf.isEmpty() && options.screenshot.isEmpty()))) {
+    throw UsageError("--plan names the plan of --pdf or --screenshot; give one of them and a name, or leave --plan out.");
   }
   options.identity = parser.isSet("identity");
   if (options.identity && options.pdf.isEmpty()) {

@@ -14,6 +14,7 @@ struct StartOptions {
   bool sample = false;
   QString screenshot;     ///< path of a PNG; both empty: an ordinary window
   QString pdf;            ///< path of a report
+  QString plan;           ///< name of the plan that picture and report are of; empty: the first
   bool identity = false;  ///< the report names the patient
   QSize size{1440, 900};
   QString language;  ///< "en", "de" or empty: the remembered one

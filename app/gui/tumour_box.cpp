@@ -86,7 +86,10 @@ void TumourBox::refresh() {
     row->setData(0, Qt::UserRole, QString::fromStdString(tumour.id));
     row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     row->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
-    const QStringList lines{tr("To the capsule: %1").arg(mmText(tumour.capsuleMm)),
+    const QString capsule = tumour.capsuleBeyondImage
+                                ? tr("To the capsule: at least %1, for the liver goes on beyond the image there")
+                                : tr("To the capsule: %1");
+    const QStringList lines{capsule.arg(mmText(tumour.capsuleMm)),
                             tumour.vesselMm
                                 ? tr("Nearest vessel: %1, %2").arg(shownName(tumour.nearestVessel), mmText(*tumour.vesselMm))
                                 : tr("Nearest vessel: the case has no vessels."),

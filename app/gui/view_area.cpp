@@ -59,6 +59,7 @@ ViewArea::ViewArea(Document& document, JobRunner& jobs, QWidget* parent)
   connect(modelView_, &ModelView::planeDragStarted, &document_, &Document::beginDrag);
   connect(modelView_, &ModelView::planeDragged, &document_, &Document::dragTo);
   connect(modelView_, &ModelView::planeDragFinished, &document_, &Document::endDrag);
+  connect(&document_, &Document::dragCancelled, modelView_, &ModelView::cancelDrag);
   connect(&document_, &Document::caseChanged, this, &ViewArea::showVolumes);
   connect(&document_, &Document::ctChanged, this, &ViewArea::showVolumes);
   connect(&document_, &Document::modelChanged, this, &ViewArea::showModel);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "planning/resection/plan_list.h"
 #include "reconstruction/errors.h"
@@ -114,10 +115,13 @@ struct Applier {
     }
   }
   void operator()(const ReleaseIsland& edit) {
-    if (edit.island >= plan.islands.size()) {
+    std::set<std::size_t> places(edit.islands.begin(), edit.islands.end());
+    if (places.empty() || *places.rbegin() >= plan.islands.size()) {
       throw PlanningError("The plan has no such assigned island; choose one of those it has.");
     }
-    eraseAt(plan.islands, edit.island);
+    for (auto place = places.rbegin(); place != places.rend(); ++place) {
+      eraseAt(plan.islands, *place);
+    }
   }
   void operator()(const AddMeasure& edit) {
     requireFinite(edit.measure.from);

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "planning/resection/resection_plan.h"
 
@@ -60,9 +61,9 @@ struct SetSafetyMargin {
 struct AssignIsland {
   IslandAssignment island;
 };
-/// Takes an assignment back.
+/// Takes assignments back, by their places in the plan.
 struct ReleaseIsland {
-  std::size_t island = 0;
+  std::vector<std::size_t> islands;
 };
 /// Without a name it gets the next free "Distance N".
 struct AddMeasure {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planning/territories/nearest_site.h"
 #include "planning/territories/vessel_cuts.h"
+#include "planning/volumetry/nearest_site.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -88,18 +88,6 @@ Mask maskOfKinds(const Segmentation& segmentation, std::initializer_list<Structu
   return all;
 }
 
-void append(VoxelRows& rows, const RowRun& run) {
-  rows.voxels += static_cast<std::size_t>(run.n);
-  if (!rows.runs.empty()) {
-    RowRun& last = rows.runs.back();
-    if (last.k == run.k && last.j == run.j && last.i + last.n == run.i) {
-      last.n += run.n;
-      return;
-    }
-  }
-  rows.runs.push_back(run);
-}
-
 /// The cells of one run of L.
 struct CellRow {
   RowRun run;
@@ -120,6 +108,7 @@ struct LiverPerfusion::Impl {
   VesselGraph hepatic;
   bool hasPortal = false;
   bool hasHepatic = false;
+  VoxelRows whole;  ///< L
   VoxelRows functional;
   std::vector<Cell> cells;
   std::vector<CellRow> rows;
@@ -127,9 +116,11 @@ struct LiverPerfusion::Impl {
 
   void dealCells(const LiverVoxels& liver, const NearestMap& portalMap, const NearestMap& hepaticMap);
   [[nodiscard]] LostRows lostRows(const LostSites& portalLost, const LostSites& hepaticLost,
-                                  const std::vector<ImageResection>& plan) const;
-  [[nodiscard]] std::int64_t remnantUnits(const VoxelRows& part, const std::vector<ImageResection>& plan) const {
-    return (static_cast<std::int64_t>(part.voxels) << 32) - resect(part, geometry.spacing, plan).totalUnits();
+                                  const std::vector<ImageResection>& plan, const SidePieces* sides) const;
+  [[nodiscard]] std::int64_t remnantUnits(const VoxelRows& part, const std::vector<ImageResection>& plan,
+                                          const SidePieces* sides) const {
+    const std::int64_t switched = sides != nullptr ? sides->switchedUnits(part, plan) : 0;
+    return (static_cast<std::int64_t>(part.voxels) << 32) - resect(part, geometry.spacing, plan).totalUnits() - switched;
   }
 };
 
@@ -157,13 +148,13 @@ void LiverPerfusion::Impl::dealCells(const LiverVoxels& liver, const NearestMap&
 }
 
 LostRows LiverPerfusion::Impl::lostRows(const LostSites& portalLost, const LostSites& hepaticLost,
-                                        const std::vector<ImageResection>& plan) const {
+                                        const std::vector<ImageResection>& plan, const SidePieces* sides) const {
   LostRows lost;
   if (portalLost.cuts.empty() && hepaticLost.cuts.empty()) {
     return lost;
   }
   for (const CellRow& row : rows) {
-    if (isResected(boxOf(row.run, geometry.spacing), plan)) {
+    if (sides == nullptr && isResected(boxOf(row.run, geometry.spacing), plan)) {
       continue;
     }
     for (std::size_t c = row.begin; c < row.end; ++c) {
@@ -182,6 +173,7 @@ LiverPerfusion::LiverPerfusion(const Case& source, const ExecutionContext& conte
   const LiverVoxels& liver = *source.liver;
   impl_->geometry = liver.geometry;
   impl_->modelRevision = source.model ? source.model->revision : 0;
+  impl_->whole = rowsOf(liver.liver);
   impl_->functional = rowsOf(liver.functional);
   context.report(0.0, "portal vein");
   impl_->portal = vesselGraphOf(VesselSystem::Portal, maskOfKinds(*source.segmentation, {StructureKind::PortalVein}),
@@ -226,12 +218,14 @@ std::vector<std::string> LiverPerfusion::notes() const {
 PerfusionEstimate LiverPerfusion::effectOf(const ResectionPlan& plan) const {
   const Impl& my = *impl_;
   const std::vector<ImageResection> resections = toImage(plan, my.geometry);
-  LostSites portal = lostSites(my.portal, my.geometry, resections);
-  LostSites hepatic = lostSites(my.hepatic, my.geometry, resections);
-  const LostRows lost = my.lostRows(portal, hepatic, resections);
+  const std::optional<SidePieces> moved = switchedSides(my.whole, my.geometry, plan, resections);
+  const SidePieces* sides = moved ? &*moved : nullptr;
+  LostSites portal = lostSites(my.portal, my.geometry, resections, sides);
+  LostSites hepatic = lostSites(my.hepatic, my.geometry, resections, sides);
+  const LostRows lost = my.lostRows(portal, hepatic, resections, sides);
   std::array<std::int64_t, 8> units{};
   for (std::size_t n = kNoInflow; n < units.size(); ++n) {
-    units[n] = my.remnantUnits(lost[n], resections);
+    units[n] = my.remnantUnits(lost[n], resections, sides);
   }
   const double unitMl = my.geometry.voxelVolumeMm3() * kMlPerMm3 / kUnitsPerVoxel;
   const auto ml = [&](std::int64_t count) { return static_cast<double>(count) * unitMl; };
@@ -244,7 +238,7 @@ PerfusionEstimate LiverPerfusion::effectOf(const ResectionPlan& plan) const {
     made.congestedMl = ml(units[4] + units[5] + units[6] + units[7]);
   }
   made.devascularisedOrCongestedMl = ml(units[2] + units[3] + units[4] + units[5] + units[6] + units[7]);
-  const std::int64_t functional = my.remnantUnits(my.functional, resections);
+  const std::int64_t functional = my.remnantUnits(my.functional, resections, sides);
   // Parts are rounded apart from the whole.
   const std::int64_t perfused = std::max<std::int64_t>(0, functional - units[3] - units[5] - units[7]);
   made.functionalRemnantMl = ml(functional);

@@ -5,7 +5,8 @@
 // afterwards, and fast enough to follow a drag.
 // Rules. A branch is cut where its centreline inside L runs through the resected region, also where it only passes through; what
 // lies behind the cut (portal: downstream; hepatic: upstream, away from the cava) is lost, what lies before it is not. A voxel
-// belongs to the nearest centreline voxel, in mm, of all supplying branches. The vena cava itself is never cut.
+// belongs to the nearest centreline voxel, in mm, of all supplying branches. The vena cava itself is never cut. Islands are
+// resected or not as the plan gives them.
 
 #include <optional>
 

@@ -1,9 +1,10 @@
 #include "planning/territories/territories.h"
 
 #include <algorithm>
+#include <tuple>
 
-#include "planning/territories/nearest_site.h"
-#include "planning/volumetry/resected.h"
+#include "planning/volumetry/nearest_site.h"
+#include "planning/volumetry/side_pieces.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/text.h"
 
@@ -168,10 +169,13 @@ Territories territoriesOf(const LiverVoxels& liver, const VesselGraph& portal, c
   std::vector<Index3> sites;
   std::vector<std::size_t> labels;
   IndexBox box = liver.liver.box();
+  const bool othersCompete = choice.source != TerritorySource::Proposal;
+  const std::size_t notPicked = choice.picks.size();
   for (const VesselSite& site : portal.sites) {
-    if (picks[at(site.branch)] >= 0 && portal.branches[at(site.branch)].role == BranchRole::Supplying) {
+    const bool picked = picks[at(site.branch)] >= 0;
+    if ((picked || othersCompete) && portal.branches[at(site.branch)].role == BranchRole::Supplying) {
       sites.push_back(site.voxel);
-      labels.push_back(at(picks[at(site.branch)]));
+      labels.push_back(picked ? at(picks[at(site.branch)]) : notPicked);
       box = enclosing(box, {site.voxel, {1, 1, 1}});
     }
   }
@@ -184,6 +188,7 @@ Territories territoriesOf(const LiverVoxels& liver, const VesselGraph& portal, c
   for (const TerritoryPick& pick : choice.picks) {
     made.parts.push_back({pick.name, {}});
   }
+  made.parts.push_back({std::string(kNotPicked), {}});
   const auto offset = [&](int i, int j, int k) {
     return static_cast<std::size_t>(i - box.first[0]) +
            static_cast<std::size_t>(box.size[0]) *
@@ -192,6 +197,9 @@ Territories territoriesOf(const LiverVoxels& liver, const VesselGraph& portal, c
   };
   dealVoxels(
       liver.liver, [&](int i, int j, int k) { return labels[at(nearest[offset(i, j, k)])]; }, made.parts);
+  if (made.parts.back().rows.voxels == 0) {
+    made.parts.pop_back();
+  }
   return made;
 }
 
@@ -233,13 +241,33 @@ Territories segmentTerritories(const LiverVoxels& liver, const Segmentation& seg
   return made;
 }
 
+namespace {
+/// L: all parts together, its runs as they were before they were dealt.
+VoxelRows liverOf(const Territories& territories) {
+  std::vector<RowRun> runs;
+  for (const Territory& part : territories.parts) {
+    runs.insert(runs.end(), part.rows.runs.begin(), part.rows.runs.end());
+  }
+  std::sort(runs.begin(), runs.end(),
+            [](const RowRun& a, const RowRun& b) { return std::tie(a.k, a.j, a.i) < std::tie(b.k, b.j, b.i); });
+  VoxelRows liver;
+  for (const RowRun& run : runs) {
+    append(liver, run);
+  }
+  return liver;
+}
+}  // namespace
+
 std::vector<TerritoryVolume> volumesOf(const Territories& territories, const ResectionPlan& plan) {
   const std::vector<ImageResection> resections = toImage(plan, territories.geometry);
+  const std::optional<SidePieces> sides =
+      plan.islands.empty() ? std::nullopt : switchedSides(liverOf(territories), territories.geometry, plan, resections);
   const double voxelMl = territories.geometry.voxelVolumeMm3() * kMlPerMm3;
   std::vector<TerritoryVolume> volumes;
   volumes.reserve(territories.parts.size());
   for (const Territory& part : territories.parts) {
-    const std::int64_t resected = resect(part.rows, territories.geometry.spacing, resections).totalUnits();
+    std::int64_t resected = resect(part.rows, territories.geometry.spacing, resections).totalUnits();
+    resected += sides ? sides->switchedUnits(part.rows, resections) : 0;
     const std::int64_t remnant = (static_cast<std::int64_t>(part.rows.voxels) << 32) - resected;
     volumes.push_back({part.name, static_cast<double>(part.rows.voxels) * voxelMl,
                        static_cast<double>(resected) / kUnitsPerVoxel * voxelMl,

@@ -2,10 +2,12 @@
 // Purpose: which part of the liver belongs to which branches of the portal vein, or to which segment of a map. Estimates: the true
 // watersheds follow the flow, these follow the nearest labelled centreline.
 // Units: voxels and mL of L; every voxel of L belongs to exactly one part, so the parts' voxels add up to |L|.
-// Rule: a voxel belongs to the branch whose centreline voxel is nearest, centre to centre in mm, among the picked branches and
-// those behind them. Trunk, splenic and mesenteric branches own nothing.
+// Rule: a voxel belongs to the branch whose centreline voxel is nearest, centre to centre in mm, among all supplying branches; what
+// belongs to branches that no pick names is "not picked". Trunk, splenic and mesenteric branches own nothing. The proposal divides
+// all of L among left and right: there the nearest among their branches decides.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planning/territories/vessel_graph.h"
@@ -37,6 +39,8 @@ struct TerritoryChoice {
 /// for there. No picks, with a note, where the label has no main bifurcation.
 TerritoryChoice proposeLeftRight(const VesselGraph& portal);
 
+inline constexpr std::string_view kNotPicked = "not picked";
+
 struct Territory {
   std::string name;
   VoxelRows rows;
@@ -44,7 +48,8 @@ struct Territory {
 
 struct Territories {
   ImageGeometry geometry;
-  std::vector<Territory> parts;  ///< in the order of the picks or by number; "unassigned" last, where a map leaves voxels out
+  /// In the order of the picks or by number; last "not picked", or "unassigned" where a map leaves voxels out, if there are any.
+  std::vector<Territory> parts;
   TerritorySource source = TerritorySource::Picked;
   bool confirmed = false;
   std::vector<std::string> notes;
@@ -66,7 +71,8 @@ struct TerritoryVolume {
   double resectedMl = 0;
   double remnantMl = 0;
 };
-/// How much of each part a plan takes, by exact fractions of voxels. Throws PlanningError where a plane is not finite.
+/// How much of each part a plan takes, by exact fractions of voxels, islands where the plan gives them. Throws PlanningError where
+/// a plane is not finite.
 std::vector<TerritoryVolume> volumesOf(const Territories& territories, const ResectionPlan& plan);
 
 }  // namespace glisson

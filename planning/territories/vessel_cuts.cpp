@@ -1,5 +1,8 @@
 #include "planning/territories/vessel_cuts.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace glisson {
 
 namespace {
@@ -43,9 +46,28 @@ bool isInTrunk(const VesselGraph& graph, const VesselSite& site) {
   return graph.branches[static_cast<std::size_t>(branch.parent)].role == BranchRole::Trunk &&
          (site.positionMm - from.positionMm).norm() <= from.radiusMm;
 }
+/// entry() once islands are where they belong: a way into one that is given back is none, one into a piece of the remnant that is
+/// resected with the rest is.
+std::optional<double> entryWithIslands(const Vec3& from, const Vec3& to, const VesselSite& site, const Vec3& spacing,
+                                       const std::vector<ImageResection>& plan, const SidePieces& sides) {
+  if (sides.isSwitched(PlanSide::Remnant, site.voxel) && !isResected({to, Vec3::Zero()}, plan)) {
+    return 1.0;
+  }
+  const std::optional<double> where = entry(from, to, plan);
+  if (!where) {
+    return where;
+  }
+  constexpr double kInto = 1e-6;
+  const Vec3 index = (from + std::min(1.0, *where + kInto) * (to - from)).cwiseQuotient(spacing);
+  const Index3 voxel{static_cast<int>(std::lround(index[0])), static_cast<int>(std::lround(index[1])),
+                     static_cast<int>(std::lround(index[2]))};
+  const bool isGivenBack = sides.isSwitched(PlanSide::Resected, voxel) || sides.isSwitched(PlanSide::Resected, site.voxel);
+  return isGivenBack ? std::nullopt : where;
+}
 }  // namespace
 
-LostSites lostSites(const VesselGraph& graph, const ImageGeometry& geometry, const std::vector<ImageResection>& plan) {
+LostSites lostSites(const VesselGraph& graph, const ImageGeometry& geometry, const std::vector<ImageResection>& plan,
+                    const SidePieces* sides) {
   LostSites lost;
   lost.isLost.assign(graph.sites.size(), 0);
   const auto placeOf = [&](const VesselSite& site) {
@@ -65,7 +87,9 @@ LostSites lostSites(const VesselGraph& graph, const ImageGeometry& geometry, con
     }
     const Vec3 from = placeOf(before);
     const Vec3 to = placeOf(site);
-    if (const auto where = entry(from, to, plan)) {
+    const std::optional<double> where =
+        sides == nullptr ? entry(from, to, plan) : entryWithIslands(from, to, site, geometry.spacing, plan, *sides);
+    if (where) {
       lost.isLost[s] = 1;
       const Vec3 cut = geometry.origin + geometry.direction * (from + *where * (to - from));
       lost.cuts.push_back({site.branch, cut, site.radiusMm});

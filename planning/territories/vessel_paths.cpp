@@ -4,7 +4,7 @@
 #include <limits>
 #include <queue>
 
-#include "planning/territories/nearest_site.h"
+#include "planning/volumetry/inscribed_balls.h"
 
 namespace glisson {
 
@@ -83,46 +83,12 @@ class VoxelList {
     }
   }
 
-  /// To the surface of the nearest voxel outside.
-  [[nodiscard]] std::vector<double> radii(const ExecutionContext& context) const {
-    std::vector<Index3> outside;
-    for (int k = box_.first[2]; k < box_.first[2] + box_.size[2]; ++k) {
-      for (int j = box_.first[1]; j < box_.first[1] + box_.size[1]; ++j) {
-        for (int i = box_.first[0]; i < box_.first[0] + box_.size[0]; ++i) {
-          if (numbers_[offset({i, j, k})] < 0 && touchesMask({i, j, k})) {
-            outside.push_back({i, j, k});
-          }
-        }
-      }
-    }
-    const std::vector<std::int32_t> nearest = nearestSites(box_, spacing_, outside, context);
-    std::vector<double> radii(voxels_.size());
-    for (std::size_t n = 0; n < voxels_.size(); ++n) {
-      const Index3& other = outside[at(nearest[offset(voxels_[n])])];
-      const Vec3 way = spacing_.cwiseProduct(Vec3(other[0] - voxels_[n][0], other[1] - voxels_[n][1], other[2] - voxels_[n][2]));
-      radii[n] = way.norm() - 0.5 * way.cwiseAbs().dot(spacing_) / way.norm();
-    }
-    return radii;
-  }
-
  private:
   [[nodiscard]] std::ptrdiff_t stride(std::size_t axis) const {
     return axis == 1 ? box_.size[0] : static_cast<std::ptrdiff_t>(box_.size[0]) * box_.size[1];
   }
   [[nodiscard]] std::size_t offset(const Index3& v) const {
     return static_cast<std::size_t>(v[0] - box_.first[0] + stride(1) * (v[1] - box_.first[1]) + stride(2) * (v[2] - box_.first[2]));
-  }
-  [[nodiscard]] bool touchesMask(const Index3& v) const {
-    for (std::size_t a = 0; a < 3; ++a) {
-      for (const int step : {-1, 1}) {
-        Index3 other = v;
-        other[a] += step;
-        if (other[a] >= box_.first[a] && other[a] < box_.first[a] + box_.size[a] && numbers_[offset(other)] >= 0) {
-          return true;
-        }
-      }
-    }
-    return false;
   }
 
   Vec3 spacing_;
@@ -135,10 +101,10 @@ class VoxelList {
 
 class PathFinder {
  public:
-  PathFinder(const VoxelList& list, const Vec3& spacing, const ExecutionContext& context)
+  PathFinder(const VoxelList& list, std::vector<double> radii, const Vec3& spacing, const ExecutionContext& context)
       : list_(list),
         context_(context),
-        radii_(list.radii(context)),
+        radii_(std::move(radii)),
         voxelMm_(spacing.maxCoeff()),
         way_(list.count(), kInfinity),
         parent_(list.count(), -1),
@@ -256,7 +222,7 @@ std::vector<PathVoxel> vesselPaths(const Mask& vessel, const Vec3& spacing, cons
     return {};
   }
   const VoxelList list(vessel, spacing);
-  return PathFinder(list, spacing, context).run();
+  return PathFinder(list, inscribedRadii(vessel, spacing, context), spacing, context).run();
 }
 
 }  // namespace glisson

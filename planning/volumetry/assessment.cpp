@@ -13,7 +13,6 @@
 #include "planning/volumetry/tumour_margin.h"
 #include "planning/volumetry/vessel_crossings.h"
 #include "reconstruction/parallel.h"
-#include "reconstruction/text.h"
 
 namespace glisson {
 
@@ -24,9 +23,7 @@ struct PlanInImage {
   std::vector<ImageResection> resections;
   std::optional<SidePieces> sides;
 
-  [[nodiscard]] bool hasSwitched() const {
-    return sides && (sides->anySwitched(PlanSide::Resected) || sides->anySwitched(PlanSide::Remnant));
-  }
+  [[nodiscard]] bool hasSwitched() const { return sides && sides->anySwitched(); }
 };
 
 /// Voxels twice: flat planes take whole runs, bent ones block by block.
@@ -52,9 +49,10 @@ struct PlanAssessor::Impl {
   Body liver;           ///< L
   Body lesionsInLiver;  ///< T and L
   double tumourMl = 0;
-  std::vector<Part> tumours;      ///< every lesion's own voxels
-  std::vector<NearSurface> near;  ///< around the tumours
-  std::vector<Part> vessels;      ///< every vessel's voxels inside L
+  std::vector<Part> tumours;          ///< every lesion's own voxels
+  std::vector<NearSurface> near;      ///< around the tumours
+  std::vector<Part> vessels;          ///< every vessel's voxels inside L
+  std::vector<InscribedBalls> balls;  ///< of the whole vessels
   std::uint64_t modelRevision = 0;
 
   [[nodiscard]] double ml(std::int64_t units) const {
@@ -66,6 +64,8 @@ struct PlanAssessor::Impl {
   }
   [[nodiscard]] PlanAssessment volumes(const PlanInImage& plan) const;
   [[nodiscard]] PlanAssessment assess(const ResectionPlan& source, bool withIslands) const;
+  /// What is wrong with resections, or with the plan, that do not divide L.
+  void explain(PlanAssessment& result, const Resected& inLiver, const PlanInImage& plan) const;
   void addVolumes(PlanAssessment& result, const Resected& inLiver, std::int64_t resected, std::int64_t diseased) const;
   [[nodiscard]] std::vector<IslandAssessment> listIslands(const PlanInImage& plan, const SidePieces& sides) const;
   [[nodiscard]] std::vector<TumourAssessment> assessTumours(const PlanInImage& plan) const;
@@ -115,6 +115,7 @@ PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>())
       impl_->near.emplace_back(impl_->tumours.back().body.rows, impl_->liver.rows, impl_->liver.blocks, impl_->geometry.spacing);
     } else if (mask && isVessel(structure.kind)) {
       impl_->vessels.push_back({structure.id, structure.name, Body(*mask, impl_->geometry.spacing, &source.liver->liver)});
+      impl_->balls.emplace_back(*mask, impl_->geometry.spacing);
     }
   }
 }
@@ -124,11 +125,6 @@ PlanAssessor::PlanAssessor(PlanAssessor&&) noexcept = default;
 PlanAssessor& PlanAssessor::operator=(PlanAssessor&&) noexcept = default;
 
 namespace {
-std::string noIsland(const Vec3& point) {
-  return "The piece at (" + formatNumber(point[0], 1) + ", " + formatNumber(point[1], 1) + ", " + formatNumber(point[2], 1) +
-         ") mm is no island of its own, so it counts on the side where the planes leave it.";
-}
-
 void addSentence(std::string& text, const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; }
 
 /// The runs that have a piece of the surface, voxel by voxel: each piece has then one voxel before it and one behind. `origin`:
@@ -189,6 +185,31 @@ void PlanAssessor::Impl::addVolumes(PlanAssessment& result, const Resected& inLi
   result.volumeUncertaintyMl = 0.5 * geometry.spacing.maxCoeff() * area * kMlPerMm3;
 }
 
+void PlanAssessor::Impl::explain(PlanAssessment& result, const Resected& inLiver, const PlanInImage& plan) const {
+  const std::int64_t total = unitsOf(liver.rows);
+  const bool takesAll = inLiver.totalUnits() == total;
+  bool oneTakesAll = false;
+  for (std::size_t r = 0; r < plan.resections.size(); ++r) {
+    if (inLiver.units[r] > 0 && !takesAll) {
+      continue;
+    }
+    // Of what several resections take, the first one has it: only by itself a resection shows what it takes.
+    const std::int64_t alone = resected(liver, {plan.source, {plan.resections[r]}, {}}).totalUnits();
+    ResectionVolume& resection = result.resections[r];
+    if (alone == 0 || alone == total) {
+      resection.dividesByItself = false;
+      oneTakesAll = oneTakesAll || alone == total;
+      addSentence(result.warning,
+                  resection.name + " does not divide the liver: " + (alone == 0 ? "nothing" : "all of it") + " is resected.");
+    } else if (inLiver.units[r] == 0) {
+      addSentence(result.warning, resection.name + " takes nothing: other resections of the plan already take all that it would.");
+    }
+  }
+  if (takesAll && !oneTakesAll && !plan.resections.empty()) {
+    addSentence(result.warning, "The resections of the plan together take all of the liver, so nothing of it remains.");
+  }
+}
+
 PlanAssessment PlanAssessor::Impl::volumes(const PlanInImage& plan) const {
   Resected inLiver = resected(liver, plan);
   const std::int64_t total = unitsOf(liver.rows);
@@ -199,11 +220,8 @@ PlanAssessment PlanAssessor::Impl::volumes(const PlanInImage& plan) const {
   result.divides = plan.resections.empty() || (byPlanes > 0 && byPlanes < total);
   for (std::size_t r = 0; r < plan.resections.size(); ++r) {
     result.resections.push_back({resectionName(plan.source.resections[r], r), 0, 0});
-    if (inLiver.units[r] == 0 || inLiver.units[r] == total) {
-      result.warning += (result.warning.empty() ? "" : " ") + result.resections.back().name +
-                        " does not divide the liver: " + (inLiver.units[r] == 0 ? "nothing" : "all of it") + " is resected.";
-    }
   }
+  explain(result, inLiver, plan);
   std::int64_t taken = byPlanes;
   std::int64_t diseased = resected(lesionsInLiver, plan).totalUnits();
   if (plan.hasSwitched()) {
@@ -225,8 +243,19 @@ std::vector<IslandAssessment> PlanAssessor::Impl::listIslands(const PlanInImage&
   for (std::size_t n = 0; n < sides.pieces().size(); ++n) {
     const SidePiece& piece = sides.pieces()[n];
     if (!piece.main && (piece.switched || ml(piece.units) > kListedIslandMl)) {
-      islands.push_back({piece.side, piece.switched, ml(piece.units), ml(piece.units - diseased[n]),
-                         geometry.origin + geometry.direction * piece.point});
+      islands.push_back({piece.side,
+                         piece.switched,
+                         ml(piece.units),
+                         ml(piece.units - diseased[n]),
+                         geometry.origin + geometry.direction * piece.point,
+                         {}});
+      for (std::size_t given = 0; given < plan.source.islands.size(); ++given) {
+        const IslandAssignment& one = plan.source.islands[given];
+        if (one.to != piece.side &&
+            sides.pieceAt(piece.side, geometry.direction.transpose() * (one.point - geometry.origin)) == n) {
+          islands.back().assignments.push_back(given);
+        }
+      }
     }
   }
   std::stable_sort(islands.begin(), islands.end(),
@@ -275,25 +304,10 @@ TumourAssessment PlanAssessor::Impl::assessTumour(std::size_t place, const PlanI
   return result;
 }
 
-namespace {
-/// The sides' pieces, each island where the plan gives it; says in `warning` what has no effect.
-SidePieces sidesOf(const VoxelRows& liver, const ImageGeometry& geometry, const PlanInImage& plan, std::string& warning) {
-  SidePieces sides(liver, geometry.spacing, plan.resections);
-  for (const IslandAssignment& island : plan.source.islands) {
-    if (!sides.switchAt(geometry.direction.transpose() * (island.point - geometry.origin), island.to)) {
-      addSentence(warning, noIsland(island.point));
-    }
-  }
-  return sides;
-}
-}  // namespace
-
 PlanAssessment PlanAssessor::volumes(const ResectionPlan& source) const {
   PlanInImage plan{source, toImage(source, impl_->geometry), {}};
   std::string warning;
-  if (!source.islands.empty()) {
-    plan.sides = sidesOf(impl_->liver.rows, impl_->geometry, plan, warning);
-  }
+  plan.sides = switchedSides(impl_->liver.rows, impl_->geometry, source, plan.resections, &warning);
   PlanAssessment result = impl_->volumes(plan);
   if (!warning.empty()) {
     addSentence(result.warning, warning);
@@ -328,9 +342,10 @@ std::vector<TumourAssessment> PlanAssessor::Impl::assessTumours(const PlanInImag
 
 std::vector<VesselCrossing> PlanAssessor::Impl::findCrossings(const PlanInImage& plan) const {
   std::vector<VesselCrossing> crossings;
-  for (const Part& vessel : vessels) {
+  for (std::size_t n = 0; n < vessels.size(); ++n) {
+    const Part& vessel = vessels[n];
     const std::vector<CutPiece> pieces = surfaceOf(vessel.body, geometry.spacing, plan);
-    const auto found = vesselCrossings(vessel.id, vessel.name, vessel.body.rows, pieces, geometry);
+    const auto found = vesselCrossings(vessel.id, vessel.name, vessel.body.rows, pieces, balls[n], geometry);
     crossings.insert(crossings.end(), found.begin(), found.end());
   }
   return crossings;
@@ -339,9 +354,7 @@ std::vector<VesselCrossing> PlanAssessor::Impl::findCrossings(const PlanInImage&
 PlanAssessment PlanAssessor::Impl::assess(const ResectionPlan& source, bool withIslands) const {
   PlanInImage plan{source, toImage(source, geometry), {}};
   std::string warning;
-  if (!source.islands.empty()) {
-    plan.sides = sidesOf(liver.rows, geometry, plan, warning);
-  }
+  plan.sides = switchedSides(liver.rows, geometry, source, plan.resections, &warning);
   PlanAssessment result;
   std::vector<TumourAssessment> assessed;
   std::vector<VesselCrossing> crossings;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planning/case/case.h"
@@ -16,6 +17,10 @@ std::string_view textOf(TumourState state);
 
 /// "resected", "remnant".
 std::string_view textOf(PlanSide side);
+
+/// What stands beside margins wherever they are shown (method.md 5).
+inline constexpr std::string_view kMarginNotice =
+    "Margins know the voxel size only; segmentation, breathing, registration and transection are not included.";
 
 struct TumourAssessment {
   std::string id;
@@ -32,13 +37,19 @@ struct VesselCrossing {
   std::string id;
   std::string name;
   Vec3 positionMm = Vec3::Zero();
-  double diameterMm = 0;  ///< equivalent: of the circle with the crossing's area, corrected for obliquity where known
+  /// Of the circle with the crossing's area, corrected for obliquity where known; not below the vessel's own calibre there.
+  double diameterMm = 0;
+  bool runsAlong = false;  ///< the vessel runs along the cut rather than through it (kAlongCosine)
 };
+
+/// |cos| of the angle between the vessel's direction and the cut's normal below which the vessel runs along the cut: 20 degrees.
+inline constexpr double kAlongCosine = 0.35;
 
 struct ResectionVolume {
   std::string name;
   double volumeMl = 0;
   double cutAreaMm2 = 0;
+  bool dividesByItself = true;  ///< takes some of L and leaves some; it has nothing then where others of the plan already take it
 };
 
 /// A separated piece that is not the main one of its side (side_pieces.h), of more than kListedIslandMl or given to the other side.
@@ -47,7 +58,8 @@ struct IslandAssessment {
   bool assigned = false;              ///< given to the other side, where its volumes count
   double volumeMl = 0;
   double functionalMl = 0;
-  Vec3 point = Vec3::Zero();  ///< mm LPS, a voxel's centre inside it: names it in IslandAssignment
+  Vec3 point = Vec3::Zero();               ///< mm LPS, a voxel's centre inside it: names it in IslandAssignment
+  std::vector<std::size_t> assignments{};  ///< of the plan's islands, by place, those that give it away
 };
 inline constexpr double kListedIslandMl = 1.0;
 
@@ -66,7 +78,9 @@ struct PlanAssessment {
   std::vector<IslandAssessment> islands;    ///< largest first; only in assess()
   std::vector<TumourAssessment> tumours;
   std::vector<VesselCrossing> vesselsCrossed;
-  std::string warning;              ///< e.g. "Resection 1 does not divide the liver: nothing is resected."
+  /// Why resections or the whole plan do not divide the liver, e.g. "Resection 1 does not divide the liver: nothing is resected.",
+  /// and islands that are none. Not empty where the plan does not divide.
+  std::string warning;
   std::uint64_t modelRevision = 0;  ///< what it came from
 };
 

@@ -62,8 +62,10 @@ std::string toJson(const PlanAssessment& assessment) {
   json["vesselsCrossed"] = Json::array();
   for (const VesselCrossing& crossing : assessment.vesselsCrossed) {
     const Vec3& p = crossing.positionMm;
-    json["vesselsCrossed"].push_back(
-        {{"name", crossing.name}, {"positionMm", {p[0], p[1], p[2]}}, {"diameterMm", crossing.diameterMm}});
+    json["vesselsCrossed"].push_back({{"name", crossing.name},
+                                      {"positionMm", {p[0], p[1], p[2]}},
+                                      {"diameterMm", crossing.diameterMm},
+                                      {"runsAlongCut", crossing.runsAlong}});
   }
   // A name that is no UTF-8 must not cost the numbers.
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);

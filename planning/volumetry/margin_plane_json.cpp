@@ -24,8 +24,10 @@ std::string toJson(const MarginProposal& proposal) {
   json["marginAtLeastMm"] = known(proposal.marginAtLeastMm);
   json["vesselsCrossed"] = Json::array();
   for (const VesselCrossing& crossing : proposal.vessels) {
-    json["vesselsCrossed"].push_back(
-        {{"name", crossing.name}, {"positionMm", fromVector(crossing.positionMm)}, {"diameterMm", crossing.diameterMm}});
+    json["vesselsCrossed"].push_back({{"name", crossing.name},
+                                      {"positionMm", fromVector(crossing.positionMm)},
+                                      {"diameterMm", crossing.diameterMm},
+                                      {"runsAlongCut", crossing.runsAlong}});
   }
   json["reason"] = proposal.reason.empty() ? Json(nullptr) : Json(proposal.reason);
   json["notice"] = proposal.notice;

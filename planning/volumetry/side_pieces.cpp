@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "reconstruction/mesh/union_find.h"
+#include "reconstruction/text.h"
 
 namespace glisson {
 
@@ -149,8 +150,13 @@ bool SidePieces::switchAt(const Vec3& image, PlanSide to) {
   return true;
 }
 
-bool SidePieces::anySwitched(PlanSide from) const {
-  return std::any_of(pieces_.begin(), pieces_.end(), [&](const SidePiece& p) { return p.switched && p.side == from; });
+bool SidePieces::anySwitched() const {
+  return std::any_of(pieces_.begin(), pieces_.end(), [](const SidePiece& p) { return p.switched; });
+}
+
+bool SidePieces::isSwitched(PlanSide side, const Index3& voxel) const {
+  const auto piece = pieceAt(side, voxel[0], voxel[1], voxel[2]);
+  return piece && pieces_[*piece].switched;
 }
 
 std::int64_t SidePieces::switchedUnits(const VoxelRows& rows, const std::vector<ImageResection>& plan,
@@ -202,6 +208,29 @@ bool SidePieces::separates(const CutPiece& cut) const {
   const bool frontChanged = switchedAt(PlanSide::Resected, middle + step);
   const bool backChanged = switchedAt(PlanSide::Remnant, middle - step);
   return frontChanged == backChanged;
+}
+
+namespace {
+std::string noIsland(const Vec3& point) {
+  return "The piece at (" + formatNumber(point[0], 1) + ", " + formatNumber(point[1], 1) + ", " + formatNumber(point[2], 1) +
+         ") mm is no island of its own, so it counts on the side where the planes leave it.";
+}
+
+}  // namespace
+
+std::optional<SidePieces> switchedSides(const VoxelRows& liver, const ImageGeometry& geometry, const ResectionPlan& plan,
+                                        const std::vector<ImageResection>& resections, std::string* warning) {
+  if (plan.islands.empty()) {
+    return std::nullopt;
+  }
+  SidePieces sides(liver, geometry.spacing, resections);
+  for (const IslandAssignment& island : plan.islands) {
+    const bool moved = sides.switchAt(geometry.direction.transpose() * (island.point - geometry.origin), island.to);
+    if (!moved && warning != nullptr) {
+      *warning += (warning->empty() ? "" : " ") + noIsland(island.point);
+    }
+  }
+  return sides;
 }
 
 }  // namespace glisson

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "planning/volumetry/row_table.h"
@@ -38,7 +39,9 @@ class SidePieces {
 
   /// Gives the island of the other side at `image` to side `to`; false where there is none.
   bool switchAt(const Vec3& image, PlanSide to);
-  [[nodiscard]] bool anySwitched(PlanSide from) const;
+  [[nodiscard]] bool anySwitched() const;
+  /// The voxel's part of `side` lies in a piece that is given to the other side.
+  [[nodiscard]] bool isSwitched(PlanSide side, const Index3& voxel) const;
 
   /// Units that the switched pieces bring to the resected side, of voxels `rows` (inside L or not; what is outside stays).
   /// `perPiece`, where given, gets each piece's units of these rows, switched or not.
@@ -58,5 +61,10 @@ class SidePieces {
   std::array<std::vector<std::uint32_t>, 2> piece_;  ///< of each part, by side; kNone where it has none
   std::vector<SidePiece> pieces_;
 };
+
+/// The sides' pieces, each island where the plan gives it; nothing where the plan gives none away. `resections`: the plan in the
+/// image frame. What has no effect is said in `warning`, one sentence an island, where that is given.
+std::optional<SidePieces> switchedSides(const VoxelRows& liver, const ImageGeometry& geometry, const ResectionPlan& plan,
+                                        const std::vector<ImageResection>& resections, std::string* warning = nullptr);
 
 }  // namespace glisson

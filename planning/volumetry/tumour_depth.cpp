@@ -2,7 +2,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace glisson {
@@ -144,21 +146,27 @@ void keepBentProjection(const Vec3& p, const ImageResection& resection, double& 
     normal = alongLargest;
   }
 }
+
+/// The distance of a point to one resection and the direction to it, where it is less than `depth`.
+void keepDepth(const Vec3& p, const ImageResection& resection, double& depth, Vec3& along) {
+  if (!resection.bends.empty()) {
+    keepBentProjection(p, resection, depth, along);
+  } else if (resection.planes.size() == 1) {
+    const double outside = std::max(0.0, -resection.planes[0].distance(p));
+    if (outside < depth) {
+      depth = outside;
+      along = resection.planes[0].normal;
+    }
+  } else if (!resection.planes.empty()) {
+    keepProjection(p, resection.planes, depth, along);
+  }
+}
+
 /// The distance of a point to the resected region, and the direction to it.
 double depthOf(const Vec3& p, const std::vector<ImageResection>& plan, Vec3& along) {
   double depth = kInfinity;
   for (const ImageResection& resection : plan) {
-    if (!resection.bends.empty()) {
-      keepBentProjection(p, resection, depth, along);
-    } else if (resection.planes.size() == 1) {
-      const double outside = std::max(0.0, -resection.planes[0].distance(p));
-      if (outside < depth) {
-        depth = outside;
-        along = resection.planes[0].normal;
-      }
-    } else if (!resection.planes.empty()) {
-      keepProjection(p, resection.planes, depth, along);
-    }
+    keepDepth(p, resection, depth, along);
   }
   return depth;
 }
@@ -174,9 +182,103 @@ double mostDepth(const Vec3& p, const std::vector<ImageResection>& plan, bool fi
   }
   return most;
 }
+
+/// The greatest depth under several resections: the distance to their union is the least of convex functions and can be greatest
+/// inside a box, between its corners. Each of them is greatest at a corner, so the least of those bounds a box's depth; boxes that
+/// may be deeper than what is known are halved.
+class UnionDepth {
+ public:
+  explicit UnionDepth(const std::vector<ImageResection>& plan) {
+    std::copy_if(plan.begin(), plan.end(), std::back_inserter(plan_),
+                 [](const ImageResection& one) { return !one.takesNothing(); });
+  }
+
+  void keep(const Box& whole) {
+    std::vector<Box> open{whole};
+    while (!open.empty()) {
+      const Box box = open.back();
+      open.pop_back();
+      if (!isDeeper(box)) {
+        continue;
+      }
+      Eigen::Index axis = 0;
+      box.half.maxCoeff(&axis);
+      const Vec3 half = box.half - 0.5 * box.half[axis] * Vec3::Unit(axis);
+      for (const double side : {-0.5, 0.5}) {
+        open.push_back({box.centre + side * box.half[axis] * Vec3::Unit(axis), half});
+      }
+    }
+  }
+  [[nodiscard]] double greatest() const { return greatest_; }
+  [[nodiscard]] const Vec3& along() const { return along_; }
+
+ private:
+  static constexpr double kFineMm = 0.01;
+
+  /// Whether the box may reach deeper than what is known, of which its corners are part then.
+  bool isDeeper(const Box& box) {
+    std::array<Vec3, 8> corners;
+    for (unsigned c = 0; c < corners.size(); ++c) {
+      corners[c] = cornerOf(box, c);
+    }
+    const auto passes = [&](const auto& depthAt) {
+      double most = 0;
+      for (std::size_t c = 0; c < corners.size() && most <= greatest_ + kFineMm; ++c) {
+        most = std::max(most, depthAt(c));
+      }
+      return most > greatest_ + kFineMm;
+    };
+    for (const ImageResection& one : plan_) {
+      if (one.planes.empty() && one.bends.size() == 1 && !passes([&](std::size_t c) { return -one.bends[0].above(corners[c]); })) {
+        return false;
+      }
+    }
+    std::array<double, 8> depths;
+    std::array<Vec3, 8> directions;
+    depths.fill(kInfinity);
+    directions.fill(Vec3::UnitZ());
+    for (const ImageResection& one : plan_) {
+      double most = 0;
+      for (std::size_t c = 0; c < corners.size(); ++c) {
+        double depth = kInfinity;
+        Vec3 direction = Vec3::UnitZ();
+        keepDepth(corners[c], one, depth, direction);
+        most = std::max(most, depth);
+        if (depth < depths[c]) {
+          depths[c] = depth;
+          directions[c] = direction;
+        }
+      }
+      if (most <= greatest_ + kFineMm) {
+        return false;
+      }
+    }
+    bool finite = false;
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      finite = finite || std::isfinite(depths[c]);
+      if (std::isfinite(depths[c]) && depths[c] > greatest_) {
+        greatest_ = depths[c];
+        along_ = directions[c];
+      }
+    }
+    return finite;
+  }
+
+  std::vector<ImageResection> plan_;
+  double greatest_ = 0;
+  Vec3 along_ = Vec3::UnitZ();
+};
 }  // namespace
 
 double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal) {
+  if (std::ranges::count_if(plan, [](const ImageResection& one) { return !one.takesNothing(); }) > 1) {
+    UnionDepth deepest(plan);
+    for (const RowRun& run : rows.runs) {
+      deepest.keep(boxOf(run, spacing));
+    }
+    normal = deepest.along();
+    return deepest.greatest();
+  }
   struct Corner {
     Vec3 p;
     double most = kInfinity;

@@ -1,6 +1,7 @@
 #include "planning/volumetry/tumour_measures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -74,26 +75,58 @@ class RowFinder {
   std::map<int, std::map<int, std::vector<RowRun>>> slices_;
 };
 
-/// The voxels around the mask that are not in it, one voxel beyond its box: the nearest of all that are not.
-VoxelRows outsideOf(const Mask& mask) {
-  VoxelRows rows;
-  const IndexBox& box = mask.box();
-  for (int k = box.first[2] - 1; k <= box.first[2] + box.size[2]; ++k) {
-    for (int j = box.first[1] - 1; j <= box.first[1] + box.size[1]; ++j) {
-      bool open = false;
-      for (int i = box.first[0] - 1; i <= box.first[0] + box.size[0]; ++i) {
-        const bool outside = !mask.at(i, j, k);
-        if (outside && open) {
-          ++rows.runs.back().n;
-        } else if (outside) {
-          rows.runs.push_back({i, j, k, 1});
+/// What lies around a mask, as far as it is connected with the far side of its box by faces: cavities are none of it. One voxel
+/// beyond the box is the nearest of all that lies farther.
+struct Surroundings {
+  VoxelRows inImage;
+  VoxelRows beyond;  ///< where the image ends, and the mask may go on
+};
+
+Surroundings surroundingsOf(const Mask& mask, const Index3& imageSize) {
+  IndexBox box = mask.box();
+  for (std::size_t a = 0; a < 3; ++a) {
+    --box.first[a];
+    box.size[a] += 2;
+  }
+  const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(box.size[0]),
+                                          static_cast<std::size_t>(box.size[0]) * static_cast<std::size_t>(box.size[1])};
+  const auto voxelAt = [&](std::size_t n) {
+    return Index3{box.first[0] + static_cast<int>(n % stride[1]),
+                  box.first[1] + static_cast<int>(n / stride[1] % static_cast<std::size_t>(box.size[1])),
+                  box.first[2] + static_cast<int>(n / stride[2])};
+  };
+  std::vector<std::uint8_t> reached(box.voxelCount(), 0);
+  std::vector<std::size_t> open{0};  // a corner, which no mask has
+  reached[0] = 1;
+  while (!open.empty()) {
+    const std::size_t n = open.back();
+    open.pop_back();
+    const Index3 v = voxelAt(n);
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (const int step : {-1, 1}) {
+        Index3 next = v;
+        next[a] += step;
+        const bool within = next[a] >= box.first[a] && next[a] < box.first[a] + box.size[a];
+        const std::size_t m = step < 0 ? n - stride[a] : n + stride[a];
+        if (within && reached[m] == 0 && !mask.at(next[0], next[1], next[2])) {
+          reached[m] = 1;
+          open.push_back(m);
         }
-        rows.voxels += outside ? 1 : 0;
-        open = outside;
       }
     }
   }
-  return rows;
+  Surroundings around;
+  for (std::size_t n = 0; n < reached.size(); ++n) {
+    if (reached[n] != 0) {
+      const Index3 v = voxelAt(n);
+      bool inImage = true;
+      for (std::size_t a = 0; a < 3; ++a) {
+        inImage = inImage && v[a] >= 0 && v[a] < imageSize[a];
+      }
+      append(inImage ? around.inImage : around.beyond, {v[0], v[1], v[2], 1});
+    }
+  }
+  return around;
 }
 
 const Mask* maskOf(const Case& source, const Structure& structure) {
@@ -111,7 +144,9 @@ struct Vessel {
 
 std::vector<TumourMeasures> tumourMeasures(const Case& source, const ExecutionContext& context) {
   const ImageGeometry& geometry = source.liver->geometry;
-  const RowFinder outside(outsideOf(source.liver->liver), geometry.spacing);
+  const Surroundings around = surroundingsOf(source.liver->liver, geometry.size);
+  const RowFinder outside(around.inImage, geometry.spacing);
+  const RowFinder beyond(around.beyond, geometry.spacing);
   std::vector<Vessel> vessels;
   for (const Structure& structure : source.model->structures) {
     if (const Mask* mask = maskOf(source, structure); mask != nullptr && isVessel(structure.kind)) {
@@ -134,7 +169,10 @@ std::vector<TumourMeasures> tumourMeasures(const Case& source, const ExecutionCo
     measured.longestDiameterMm = (to - from).norm();
     measured.diameterFrom = geometry.origin + geometry.direction * from;
     measured.diameterTo = geometry.origin + geometry.direction * to;
-    measured.capsuleMm = outside.shortest(rows);
+    const double toBorder = beyond.shortest(rows);
+    const double toOutside = outside.shortest(rows);
+    measured.capsuleMm = std::min(toBorder, toOutside);
+    measured.capsuleBeyondImage = toBorder < toOutside;
     for (const Vessel& vessel : vessels) {
       const double mm = vessel.finder.shortest(rows);
       if (!measured.vesselMm || mm < *measured.vesselMm) {
@@ -160,6 +198,7 @@ std::string toJson(const std::vector<TumourMeasures>& measures) {
                     {"diameterFromMm", fromVector(m.diameterFrom)},
                     {"diameterToMm", fromVector(m.diameterTo)},
                     {"capsuleMm", m.capsuleMm},
+                    {"capsuleBeyondImage", m.capsuleBeyondImage},
                     {"nearestVessel", m.vesselMm ? Json(m.nearestVessel) : Json(nullptr)},
                     {"vesselMm", m.vesselMm ? Json(*m.vesselMm) : Json(nullptr)}});
   }

@@ -17,8 +17,10 @@ struct TumourMeasures {
   double longestDiameterMm = 0;  ///< of the voxels' boxes
   Vec3 diameterFrom = Vec3::Zero();
   Vec3 diameterTo = Vec3::Zero();
-  double capsuleMm = 0;         ///< shortest way to a voxel that is not L; 0 where the tumour reaches it
-  std::string nearestVesselId;  ///< empty where the case has no vessels
+  /// Shortest way to what lies outside L; 0 where the tumour reaches it. Cavities inside L are not outside.
+  double capsuleMm = 0;
+  bool capsuleBeyondImage = false;  ///< L goes on beyond the image there, so the capsule is at least this far
+  std::string nearestVesselId;      ///< empty where the case has no vessels
   std::string nearestVessel;
   std::optional<double> vesselMm;  ///< shortest way to that vessel's voxels, also those outside L; 0 where they touch
 };

@@ -93,13 +93,28 @@ struct Crossing {
   double area = 0;
   Vec3 moment = Vec3::Zero();
   Vec3 normal = Vec3::Zero();
+  Index3 deepest{};      ///< of its voxels, that whose ball inside the vessel is the widest
+  double radiusMm = -1;  ///< of that ball
 };
+
+/// Takes the voxels a piece lies in into account: one row's, from the first to the last it reaches.
+void keepDeepest(const Span& span, const RowRun& run, double spacing, const InscribedBalls& balls, Crossing& crossing) {
+  const auto voxel = [&](double mm) { return std::clamp(static_cast<int>(std::lround(mm / spacing)), run.i, run.i + run.n - 1); };
+  for (int i = voxel(span.low); i <= voxel(span.high); ++i) {
+    const double radius = balls.radiusAt({i, run.j, run.k});
+    if (radius > crossing.radiusMm) {
+      crossing.radiusMm = radius;
+      crossing.deepest = {i, run.j, run.k};
+    }
+  }
+}
 
 double diameterOf(double area) { return 2 * std::sqrt(area / std::numbers::pi); }
 }  // namespace
 
 std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::string& name, const VoxelRows& rows,
-                                            const std::vector<CutPiece>& pieces, const ImageGeometry& geometry) {
+                                            const std::vector<CutPiece>& pieces, const InscribedBalls& balls,
+                                            const ImageGeometry& geometry) {
   const Vec3& spacing = geometry.spacing;
   UnionFind groups = connect(pieces, rows, spacing[0]);
   std::map<std::uint32_t, Crossing> found;
@@ -111,6 +126,7 @@ std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::st
     crossing.area += area;
     crossing.moment += area * middle;
     crossing.normal += area * pieces[n].normal;
+    keepDeepest(spanOf(polygon), rows.runs[pieces[n].run], spacing[0], balls, crossing);
   }
   std::vector<VesselCrossing> crossings;
   for (const auto& [first, crossing] : found) {
@@ -118,9 +134,11 @@ std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::st
       continue;
     }
     const Vec3 centre = crossing.moment / crossing.area;
-    const double radius = std::max(1.5 * diameterOf(crossing.area), 3 * spacing.maxCoeff());
+    const double calibre = balls.calibreAround(crossing.deepest);
+    const double radius = std::max(1.5 * std::max(diameterOf(crossing.area), calibre), 3 * spacing.maxCoeff());
     const double cosine = obliquity(rows, spacing, centre, radius, crossing.normal.normalized());
-    crossings.push_back({id, name, geometry.origin + geometry.direction * centre, diameterOf(crossing.area * cosine)});
+    const double diameter = std::max(diameterOf(crossing.area * cosine), calibre);
+    crossings.push_back({id, name, geometry.origin + geometry.direction * centre, diameter, cosine < kAlongCosine});
   }
   std::stable_sort(crossings.begin(), crossings.end(),
                    [](const VesselCrossing& a, const VesselCrossing& b) { return a.diameterMm > b.diameterMm; });

@@ -30,4 +30,16 @@ ImagePlane toImage(const HalfSpace& plane, const ImageGeometry& geometry) {
   return {geometry.direction.transpose() * unit, unit.dot(geometry.origin - plane.origin)};
 }
 
+void append(VoxelRows& rows, const RowRun& run) {
+  rows.voxels += static_cast<std::size_t>(run.n);
+  if (!rows.runs.empty()) {
+    RowRun& last = rows.runs.back();
+    if (last.k == run.k && last.j == run.j && last.i + last.n == run.i) {
+      last.n += run.n;
+      return;
+    }
+  }
+  rows.runs.push_back(run);
+}
+
 }  // namespace glisson

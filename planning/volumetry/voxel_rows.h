@@ -25,6 +25,9 @@ struct VoxelRows {
 /// The runs of `mask`; with `within`, of the voxels in both.
 VoxelRows rowsOf(const Mask& mask, const Mask* within = nullptr);
 
+/// One more run, behind the others; it goes on with the last one where it begins at its end.
+void append(VoxelRows& rows, const RowRun& run);
+
 struct Box {
   Vec3 centre = Vec3::Zero();
   Vec3 half = Vec3::Zero();

@@ -168,6 +168,44 @@ TEST_F(ModelViewTest, TheResectedSideIsPaleAndTheRemnantKeepsItsColour) {
   EXPECT_GT(middle(image, 0.7).blue(), middle(image, 0.7).red());
 }
 
+TEST_F(ModelViewTest, ASurfaceInsideAnotherResectionIsNotDrawn) {
+  view.setStandardView(ModelView::StandardView::Left);
+  view.setHandlesShown(false);
+  const HalfSpace left{Vec3::Zero(), Vec3::UnitX()};
+  const HalfSpace up{Vec3(0, 0, 10), Vec3::UnitZ()};
+  const auto pictures = [&](std::vector<ResectionPlane> first, std::vector<ResectionPlane> second, const char* name) {
+    ResectionPlan plan;
+    plan.resections = {{"Resection 1", std::move(first)}, {"Resection 2", std::move(second)}};
+    view.setPlan(plan, {0, 0});
+    const QImage picture = shown(name);
+    return std::pair(picture, view.findChild<Resectogram*>("resectogram")->grab().toImage());
+  };
+  const auto differing = [](const QImage& a, const QImage& b) {
+    int pixels = 0;
+    for (int y = 0; y < a.height(); ++y) {
+      for (int x = 0; x < a.width(); ++x) {
+        const QColor p = a.pixelColor(x, y);
+        const QColor q = b.pixelColor(x, y);
+        const int most = std::max({std::abs(p.red() - q.red()), std::abs(p.green() - q.green()), std::abs(p.blue() - q.blue())});
+        pixels += most > 12 ? 1 : 0;
+      }
+    }
+    return pixels;
+  };
+  // The same region twice: overlapping, and as two resections side by side, whose common face is no surface either.
+  const auto [overlapping, mapOfOverlapping] = pictures({left}, {up}, "overlapping_resections");
+  const auto [beside, mapOfBeside] = pictures({left, flipped(up)}, {up}, "resections_side_by_side");
+  EXPECT_LT(differing(overlapping, beside), 2000) << "the translucent shells are blended in another order";
+  EXPECT_LT(differing(mapOfOverlapping, mapOfBeside), 800) << "the borders' anti-aliasing";
+  // What stands against it: the whole face of the first one.
+  ResectionPlan alone;
+  alone.resections = {{"Resection 1", {left}}};
+  view.setPlan(alone, {0, 0});
+  const QImage whole = shown("one_resection");
+  EXPECT_GT(differing(view.findChild<Resectogram*>("resectogram")->grab().toImage(), mapOfOverlapping), 4000);
+  EXPECT_GT(differing(whole, overlapping), 10000);
+}
+
 TEST_F(ModelViewTest, ThePlaneIsDrawnOnlyInsideTheLiver) {
   view.setStandardView(ModelView::StandardView::Left);
   const QImage before = shown("face_before");

@@ -165,7 +165,7 @@ TEST_F(CliPlanning, TumoursAreMeasuredAndDistancesKept) {
   ASSERT_EQ(json["tumourMeasures"].size(), 3U);
   for (const Json& tumour : json["tumourMeasures"]) {
     EXPECT_EQ(keysOf(tumour), (Keys{"id", "name", "volumeMl", "longestDiameterMm", "diameterFromMm", "diameterToMm", "capsuleMm",
-                                    "nearestVessel", "vesselMm"}));
+                                    "capsuleBeyondImage", "nearestVessel", "vesselMm"}));
     // A body of this volume is no shorter than the ball of it.
     const double ball = 2 * std::cbrt(tumour["volumeMl"].get<double>() * 1000 * 3 / 4 / 3.14159265358979);
     EXPECT_GE(tumour["longestDiameterMm"].get<double>(), ball);
@@ -187,7 +187,8 @@ TEST_F(CliPlanning, StructuresAreAcceptedByNameKeptAndWithdrawn) {
   };
   EXPECT_TRUE(of(plan({}), "portal_vein")["acceptedBy"].is_null());
   const Json accepted = plan({"--accept-structure", "portal_vein", "--accept-structure", "tumour 1", "--accepted-by", "Dr. A"});
-  EXPECT_EQ(keysOf(accepted["structures"][0]), (Keys{"id", "name", "acceptedBy", "acceptedAt"}));
+  EXPECT_EQ(keysOf(accepted["structures"][0]), (Keys{"id", "name", "madeBy", "parameters", "triangles", "voxelVolumeMl",
+                                                     "meshVolumeMl", "surfaceSha256", "acceptedBy", "acceptedAt"}));
   EXPECT_EQ(of(accepted, "portal_vein")["acceptedBy"], "Dr. A");
   EXPECT_EQ(of(accepted, "tumour_01")["acceptedBy"], "Dr. A");
   EXPECT_TRUE(of(accepted, "parenchyma")["acceptedAt"].is_null());
@@ -273,6 +274,51 @@ TEST_F(CliPlanning, PlaneThatIsThereIsBentBentAnewAndMadeFlatAgain) {
   const Json again = plan({"--flatten-plane", "1"});
   EXPECT_FALSE(again.contains("bends"));
   EXPECT_NEAR(again["resectedMl"], flat["resectedMl"], 1e-6);
+}
+
+TEST_F(CliPlanning, JsonSaysWhatItIsOfAndWithWhat) {
+  ASSERT_FALSE(plan({"--plane", at(0, 0, 0) + ",2,0,0", "--plane", at(0, 0, 0) + ",0,0,1"}).is_null());
+  const Json json = plan({"--plane", at(60, 0, 0) + ",1,0,0"});
+  EXPECT_EQ(json["program"], "Glisson");
+  EXPECT_FALSE(json["version"].get<std::string>().empty());
+  EXPECT_EQ(json["case"].get<std::string>().substr(0, 2), "G-");
+  EXPECT_TRUE(json["ctDate"].is_string());
+  EXPECT_NE(json["marginNotice"].get<std::string>().find("breathing, registration and transection"), std::string::npos);
+  ASSERT_EQ(json["planes"].size(), 3U);
+  const Json& first = json["planes"][0];
+  EXPECT_EQ(keysOf(first), (Keys{"resection", "plane", "originMm", "normal"}));
+  EXPECT_EQ(first["normal"], Json::parse("[1.0, 0.0, 0.0]"));
+  EXPECT_EQ(first["originMm"], Json(middle_));
+  EXPECT_EQ(json["planes"][1]["plane"], 2);
+  EXPECT_EQ(json["planes"][2]["resection"], "Resection 2");
+  EXPECT_EQ(json["structures"][0]["surfaceSha256"].get<std::string>().size(), 64U);
+  EXPECT_EQ(json["structures"][0]["parameters"]["method"], "psr");
+}
+
+TEST_F(CliPlanning, DeletingAPlanExcludesEditsOfAnother) {
+  ASSERT_FALSE(plan({"--plane", at(0, 0, 0) + ",1,0,0"}).is_null());
+  ASSERT_FALSE(plan({"--duplicate", "B"}).is_null());
+  const std::string before = bytesOf(file_);
+  for (const auto& edit : std::vector<std::vector<std::string>>{{"--margin", "3"},
+                                                                {"--plane", at(5, 0, 0) + ",1,0,0"},
+                                                                {"--remove-resection", "Resection 1"},
+                                                                {"--flatten-plane", "1"},
+                                                                {"--measure", "0,0,0,1,1,1"},
+                                                                {"--rename", "C"}}) {
+    std::vector<std::string> call{"--plan", "B", "--delete"};
+    call.insert(call.end(), edit.begin(), edit.end());
+    expectRefusal(refused(call), 2, "--delete and " + edit.front() + " exclude each other");
+  }
+  EXPECT_EQ(bytesOf(file_), before);
+  EXPECT_EQ(plan({"--plan", "B", "--delete"})["plan"], "Plan 1");
+}
+
+TEST_F(CliPlanning, ResectionsThatTakeAllOrNothingBesideOthersAreRefusedAndStoreNothing) {
+  ASSERT_FALSE(plan({"--plane", at(0, 0, 0) + ",1,0,0"}).is_null());
+  const std::string before = bytesOf(file_);
+  expectRefusal(refused({"--plane", at(5, 0, 0) + ",-1,0,0"}), 2, "together take all of the liver");
+  expectRefusal(refused({"--plane", at(20, 0, 0) + ",1,0,0"}), 2, "others of the plan already take all that it would");
+  EXPECT_EQ(bytesOf(file_), before);
 }
 
 TEST_F(CliPlanning, PlaneThatIsNotThereIsNeitherBentNorFlattened) {

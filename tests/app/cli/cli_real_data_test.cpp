@@ -179,7 +179,7 @@ void expectGolden(const Json& now, const Json& golden, const std::string& where)
 }
 
 // Two wedges, one of them through a tumour. ircadb01_plan.json holds numbers measured on 3D-IRCADb-01 case 1 (IRCAD, CC BY-NC-ND
-// 4.0), as they were on 2026-11-29, after they had been looked at.
+// 4.0), as they were on 2026-11-30, after they had been looked at.
 TEST_F(Ircadb, APlanOfTwoResectionsHasTheNumbersItHad) {
   const std::string file = *folder_ / "golden.glisson";
   std::filesystem::copy_file(std::string(*folder_ / "case.glisson"), file);
@@ -187,7 +187,13 @@ TEST_F(Ircadb, APlanOfTwoResectionsHasTheNumbersItHad) {
   const Finished finished = cli({"plan", file, "--plane", "100,168,125,0,1,0", "--plane", "100,168,145,0,0,-1", "--json"});
   ASSERT_EQ(finished.exitCode, 0) << finished.err;
   std::ifstream golden(std::filesystem::path(sourceFolder()) / "tests/app/cli/ircadb01_plan.json");
-  const Json now = Json::parse(finished.out);
+  Json now = Json::parse(finished.out);
+  for (const char* key : {"case", "version"}) {  // made anew, and not of the patient
+    now.erase(key);
+  }
+  for (Json& structure : now["structures"]) {
+    structure.erase("surfaceSha256");
+  }
   expectGolden(now, Json::parse(golden), "");
   EXPECT_EQ(now["resectedMl"].get<double>() + now["remnantMl"].get<double>(), now["totalMl"].get<double>());
   EXPECT_NEAR(now["resections"][0]["volumeMl"].get<double>() + now["resections"][1]["volumeMl"].get<double>(),

@@ -11,6 +11,7 @@
 #include "pdf_text.h"
 #include "tests/support/paths.h"
 #include "tests/support/real_data.h"
+#include "tests/support/run_program.h"
 
 namespace {
 
@@ -46,8 +47,8 @@ Ended glisson(const QStringList& arguments) {
 TEST(ProgramTest, WrongUsageEndsWithTwoAndOneLine) {
   for (const QStringList& wrong :
        {QStringList{"--size", "big", "x.glisson"}, QStringList{"--screenshot", "x.png"}, QStringList{"--pdf", "x.pdf"},
-        QStringList{"--sample", "--identity"}, QStringList{"--no-such-flag"}, QStringList{"--sample", "x.glisson"},
-        QStringList{"--lang", "xx"}}) {
+        QStringList{"--sample", "--identity"}, QStringList{"--sample", "--plan", "B"}, QStringList{"--no-such-flag"},
+        QStringList{"--sample", "x.glisson"}, QStringList{"--lang", "xx"}}) {
     const Ended ended = glisson(wrong);
     EXPECT_EQ(ended.code, 2) << wrong.join(' ').toStdString();
     EXPECT_EQ(ended.err.count('\n'), 0) << ended.err.toStdString();
@@ -107,6 +108,35 @@ TEST(ProgramTest, TheReportNamesThePatientOnlyWhenAsked_H8) {
   const QString text = glisson::test::pdfText(report);
   EXPECT_TRUE(text.contains("Glisson, Sample")) << text.toStdString();
   EXPECT_TRUE(QRegularExpression("\\bid \\S").match(text).hasMatch()) << text.toStdString();
+}
+
+TEST(ProgramTest, TheReportIsOfThePlanThatIsNamedWithConfirmedTerritoriesAndSaysWhenItWasWritten) {
+  const glisson::test::TemporaryFolder folder;
+  const std::string file = folder / "case.glisson";
+  const auto cli = [](const std::vector<std::string>& arguments) {
+    const glisson::test::Finished finished = glisson::test::runProgram("glisson-cli", arguments);
+    EXPECT_EQ(finished.exitCode, 0) << finished.err;
+  };
+  cli({"sample", folder / "sample"});
+  cli({"model", folder / "sample/segmentation.seg.nrrd", "-o", file});
+  cli({"plan", file, "--plane", "-10,-40,-1170,1,0,0"});
+  cli({"plan", file, "--duplicate", "B", "--margin", "4", "--territories", "--confirm-territories"});
+  const QString report = QString::fromStdString(folder / "b.pdf");
+  const Ended ended = glisson({QString::fromStdString(file), "--pdf", report, "--plan", "B", "--lang", "en"});
+  ASSERT_EQ(ended.code, 0) << ended.err.toStdString();
+  const QString text = glisson::test::pdfText(report).simplified();
+  for (const char* part : {"Resection plan: B", "safety margin 4.0", "Territories and the remnant's blood", "model revision",
+                           "transection are not included"}) {
+    EXPECT_TRUE(text.contains(part)) << part << "\n" << text.toStdString();
+  }
+  EXPECT_TRUE(QRegularExpression("Written 20\\d\\d-\\d\\d-\\d\\d \\d\\d:\\d\\d UTC; case G-").match(text).hasMatch())
+      << text.toStdString();
+  EXPECT_FALSE(text.contains("nobody has confirmed them"));
+  const QString none = QString::fromStdString(folder / "none.pdf");
+  const Ended missing = glisson({QString::fromStdString(file), "--pdf", none, "--plan", "C", "--lang", "en"});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_TRUE(missing.err.contains("no plan \"C\"; it has: Plan 1, B")) << missing.err.toStdString();
+  EXPECT_FALSE(QFile::exists(none));
 }
 
 TEST(ProgramTest, TheSamplePatientsPictureShowsTheWholeWindowWithTheModelAndItsReportItsNumbers) {

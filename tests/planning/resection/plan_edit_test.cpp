@@ -63,7 +63,7 @@ TEST(PlanEdit, MarginIslandsAndMeasuresFollow) {
   plan = apply(plan, AssignIsland{{Vec3(1, 1, 1), PlanSide::Remnant}});
   ASSERT_EQ(plan.islands.size(), 2U);
   EXPECT_EQ(plan.islands[0].to, PlanSide::Remnant);
-  plan = apply(plan, ReleaseIsland{0});
+  plan = apply(plan, ReleaseIsland{{0}});
   ASSERT_EQ(plan.islands.size(), 1U);
   EXPECT_EQ(plan.islands[0].point, Vec3(2, 2, 2));
   plan = apply(plan, AddMeasure{{"", Vec3(0, 0, 0), Vec3(3, 4, 12)}});
@@ -97,7 +97,7 @@ TEST(PlanEdit, WhatDoesNotExistOrIsNotFiniteIsRefused) {
                                                               SetSafetyMargin{NAN},
                                                               SetSafetyMargin{INFINITY},
                                                               AssignIsland{{bad, PlanSide::Remnant}},
-                                                              ReleaseIsland{0},
+                                                              ReleaseIsland{{0}},
                                                               AddMeasure{{"", bad, Vec3::Zero()}},
                                                               AddMeasure{{"", Vec3::Zero(), bad}},
                                                               RemoveMeasure{0}}) {

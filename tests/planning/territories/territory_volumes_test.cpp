@@ -82,6 +82,23 @@ TEST(TerritoryVolumes, PickBehindAPickTakesItsPart) {
   EXPECT_EQ(made.parts[1].rows.voxels, proposed.parts[firstIsLeft ? 0 : 1].rows.voxels);
 }
 
+TEST(TerritoryVolumes, BranchesThatAreNotPickedKeepWhatIsNearestToThem) {
+  const Case& source = forkCase();
+  const VesselGraph portal = portalOf(source);
+  const Territories proposed = leftRight(source);
+  const TerritoryChoice sides = proposeLeftRight(portal);
+  TerritoryChoice choice;
+  choice.picks = {{"one arm", sides.picks[0].branches}};
+  const Territories made = territoriesOf(*source.liver, portal, choice);
+  ASSERT_EQ(made.parts.size(), 2U);
+  EXPECT_EQ(made.parts[0].rows.voxels, proposed.parts[0].rows.voxels);
+  EXPECT_EQ(made.parts[1].name, kNotPicked);
+  EXPECT_EQ(made.parts[1].rows.voxels, proposed.parts[1].rows.voxels);
+  EXPECT_EQ(voxelsOf(made), source.liver->liver.count());
+  choice.picks.push_back({"the other", sides.picks[1].branches});
+  EXPECT_EQ(territoriesOf(*source.liver, portal, choice).parts.size(), 2U) << "nothing is left over";
+}
+
 TEST(TerritoryVolumes, PicksThatMakeNoSenseAreRefused) {
   const Case& source = forkCase();
   const VesselGraph portal = portalOf(source);

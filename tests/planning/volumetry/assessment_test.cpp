@@ -203,6 +203,32 @@ TEST(Volumes, PlaneThatMissesTheLiverSaysSo) {
   EXPECT_NE(both.warning.find("Resection 2 does not divide"), std::string::npos);
 }
 
+TEST(Volumes, ResectionsThatTakeAllTogetherSayWhyThereAreNone) {
+  const PlanAssessor assessor(blockLiver());
+  const HalfSpace right{kBlockCentre, Vec3::UnitX()};
+  const PlanAssessment all = assessor.volumes(planOf({{right}, {flipped(right)}}));
+  EXPECT_FALSE(all.divides);
+  EXPECT_EQ(all.warning, "The resections of the plan together take all of the liver, so nothing of it remains.");
+  const PlanAssessment overlapping = assessor.volumes(planOf({{right}, {{kBlockCentre + Vec3(5, 0, 0), -Vec3::UnitX()}}}));
+  EXPECT_EQ(overlapping.warning, all.warning);
+  const PlanAssessment one = assessor.volumes(planOf({{right}, {{kBlockCentre - Vec3(100, 0, 0), Vec3::UnitX()}}}));
+  EXPECT_EQ(one.warning, "Resection 2 does not divide the liver: all of it is resected.");
+}
+
+TEST(Volumes, ResectionInsideAnotherIsToldSo) {
+  const PlanAssessor assessor(blockLiver());
+  const PlanAssessment r =
+      assessor.volumes(planOf({{{kBlockCentre, Vec3::UnitX()}}, {{kBlockCentre + Vec3(5, 0, 0), Vec3::UnitX()}}}));
+  EXPECT_TRUE(r.divides);
+  EXPECT_EQ(r.resections[1].volumeMl, 0);
+  EXPECT_TRUE(r.resections[1].dividesByItself);
+  EXPECT_EQ(r.warning, "Resection 2 takes nothing: other resections of the plan already take all that it would.");
+  // The other way round the first one has its part of what both take.
+  const PlanAssessment turned =
+      assessor.volumes(planOf({{{kBlockCentre + Vec3(5, 0, 0), Vec3::UnitX()}}, {{kBlockCentre, Vec3::UnitX()}}}));
+  EXPECT_TRUE(turned.warning.empty()) << turned.warning;
+}
+
 TEST(Volumes, PlanWithoutResectionLeavesEverything) {
   const PlanAssessment r = PlanAssessor(ballLiver()).assess({"Plan 1", {}, 10});
   EXPECT_EQ(r.remnantMl, r.totalMl);
@@ -237,7 +263,7 @@ TEST(Json, HasTheKeysOfTheContract) {
                                "functionalRemnantMl", "flrPercent", "resections", "islands", "tumours", "vesselsCrossed"}));
   EXPECT_EQ(keys(json["resections"][0]), (Names{"name", "volumeMl", "cutAreaMm2"}));
   EXPECT_EQ(keys(json["tumours"][0]), (Names{"name", "state", "marginMm", "marginAtLeastMm", "distanceMm"}));
-  EXPECT_EQ(keys(json["vesselsCrossed"][0]), (Names{"name", "positionMm", "diameterMm"}));
+  EXPECT_EQ(keys(json["vesselsCrossed"][0]), (Names{"name", "positionMm", "diameterMm", "runsAlongCut"}));
   EXPECT_EQ(json["totalMl"].get<double>(), r.totalMl);
   EXPECT_EQ(json["tumours"][0]["state"], "removed");
   EXPECT_TRUE(json["tumours"][0]["distanceMm"].is_null());

@@ -79,7 +79,7 @@ TEST(Islands, GivenToTheOtherSideTheirVolumeMovesExactlyAndBack) {
     ASSERT_EQ(after.islands.size(), 1U) << "still listed, so that it can be given back";
     EXPECT_TRUE(after.islands[0].assigned);
     EXPECT_EQ(assessor.volumes(given).resectedMl, after.resectedMl);
-    const PlanAssessment back = assessor.assess(apply(given, ReleaseIsland{0}));
+    const PlanAssessment back = assessor.assess(apply(given, ReleaseIsland{{0}}));
     EXPECT_EQ(toJson(back), toJson(before));
   }
 }
@@ -95,6 +95,21 @@ TEST(Islands, AreAllThatAMovingPlanLeavesOut) {
     resting.islands.clear();
     EXPECT_EQ(toJson(assessor.assessMoving(each)), toJson(resting));
   }
+}
+
+TEST(Islands, KnowWhichAssignmentsGiveThemAway) {
+  const PlanAssessor assessor(archLiver());
+  ResectionPlan plan = planOf({{kAcrossLegs}});
+  // Two points of the shorter leg, with one between them that gives nothing away: it lies nearer to the leg's own point.
+  plan.islands = {
+      {Vec3(54, 10, 28), PlanSide::Remnant}, {Vec3(54, 10, 35), PlanSide::Resected}, {Vec3(54, 10, 42), PlanSide::Remnant}};
+  const PlanAssessment given = assessor.assess(plan);
+  ASSERT_EQ(given.islands.size(), 1U);
+  EXPECT_EQ(given.islands[0].assignments, (std::vector<std::size_t>{0, 2}));
+  const PlanAssessment back = assessor.assess(apply(plan, ReleaseIsland{given.islands[0].assignments}));
+  ASSERT_EQ(back.islands.size(), 1U);
+  EXPECT_FALSE(back.islands[0].assigned);
+  EXPECT_TRUE(back.islands[0].assignments.empty());
 }
 
 TEST(Islands, FunctionalVolumeLeavesTheTumourOut) {

@@ -185,46 +185,5 @@ TEST(Margin, TumourTouchingThePlaneHasMarginNil) {
   EXPECT_NEAR(t.marginMm.value(), 0, 1e-6);
 }
 
-/// The same ball with vessels instead.
-std::vector<VesselCrossing> crossings(const Inside& vessel, const HalfSpace& plane) {
-  const ImageGeometry g = gridOf({160, 160, 100}, Vec3(0.5, 0.5, 0.8), Vec3(-39.75, -39.75, -39.6));
-  const Case liver = newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, ball(Vec3::Zero(), 35)},
-                                                         {"portal vein", StructureKind::PortalVein, vessel}}));
-  return PlanAssessor(liver).assess(planOf({{plane}})).vesselsCrossed;
-}
-
-TEST(Vessels, CrossedAtRightAnglesHaveTheirDiameterAndPlace) {
-  const auto found = crossings(tube(Vec3(4, 5, 0), Vec3::UnitZ(), 4), {Vec3(0, 0, 3), Vec3::UnitZ()});
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].name, "portal vein");
-  EXPECT_NEAR(found[0].diameterMm, 8, 0.2);
-  EXPECT_NEAR((found[0].positionMm - Vec3(4, 5, 3)).norm(), 0, 0.1);
-}
-
-TEST(Vessels, CrossedObliquelyAreCorrectedForIt) {
-  for (const double degrees : {30.0, 45.0, 60.0}) {
-    const double angle = degrees * std::numbers::pi / 180;
-    const Vec3 normal(std::sin(angle), 0, std::cos(angle));
-    const auto found = crossings(tube(Vec3::Zero(), Vec3::UnitZ(), 3), {Vec3::Zero(), normal});
-    ASSERT_EQ(found.size(), 1U);
-    EXPECT_NEAR(found[0].diameterMm, 6, 0.3) << degrees;  // uncorrected: 6.4, 7.1, 8.5
-  }
-}
-
-TEST(Vessels, NeighboursAreTwoCrossingsLargestFirst) {
-  const auto both = [](const Vec3& p) {
-    return tube(Vec3(-6, 0, 0), Vec3::UnitZ(), 3)(p) || tube(Vec3(4, 0, 0), Vec3::UnitZ(), 4)(p);
-  };
-  const auto found = crossings(both, {Vec3::Zero(), Vec3(0.1, 0.2, 1).normalized()});
-  ASSERT_EQ(found.size(), 2U);
-  EXPECT_NEAR(found[0].diameterMm, 8, 0.3);
-  EXPECT_NEAR(found[1].diameterMm, 6, 0.3);
-}
-
-TEST(Vessels, OutsideTheLiverOrThePlaneAreNotCrossed) {
-  EXPECT_TRUE(crossings(ball(Vec3(0, 0, 10), 3), {Vec3::Zero(), Vec3::UnitZ()}).empty());
-  EXPECT_TRUE(crossings(tube(Vec3(38, 0, 0), Vec3::UnitZ(), 1.5), {Vec3::Zero(), Vec3::UnitZ()}).empty());
-}
-
 }  // namespace
 }  // namespace glisson

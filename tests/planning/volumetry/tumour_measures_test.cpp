@@ -90,6 +90,30 @@ Case boxLiver(const Inside& tumour) {
                                     {"hepatic vein", StructureKind::HepaticVein, tube(Vec3(34, 20, 0), Vec3::UnitZ(), 2)}}));
 }
 
+TEST(TumourMeasures, ToTheCapsuleLeavesCavitiesOut) {
+  const Inside tumour = box(Vec3(20, 10, 15), Vec3(28, 20, 30));
+  const Case whole = boxLiver(tumour);
+  const ImageGeometry& g = whole.liver->geometry;
+  const Vec3 hole = g.toWorld(Vec3(49, 30, 13));  // one voxel, beside the tumour
+  const auto holed = [&](const Vec3& p) { return box(Vec3(0, 0, 0), Vec3(40, 36, 50))(p) && (p - hole).norm() > 0.1; };
+  const Case made =
+      newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, holed}, {"met", StructureKind::Tumour, tumour}}));
+  ASSERT_EQ(made.liver->liver.count() + 1, whole.liver->liver.count());
+  const TumourMeasures measured = tumourMeasures(made).at(0);
+  EXPECT_EQ(measured.capsuleMm, tumourMeasures(whole).at(0).capsuleMm);
+  EXPECT_FALSE(measured.capsuleBeyondImage);
+}
+
+TEST(TumourMeasures, WhereTheImageEndsTheCapsuleIsAtLeastThatFar) {
+  // The liver fills the grid along z, and the tumour lies nearer to its last slice than to the liver's sides.
+  const ImageGeometry g = gridOf({70, 60, 20}, kSpacing, Vec3(-8, -9, 0));
+  const Case made = newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, box(Vec3(0, 0, -9), Vec3(40, 36, 99))},
+                                                        {"met", StructureKind::Tumour, box(Vec3(15, 15, 38), Vec3(25, 21, 41))}}));
+  const TumourMeasures measured = tumourMeasures(made).at(0);
+  EXPECT_NEAR(measured.capsuleMm, 3 * 2.5, 1e-12);
+  EXPECT_TRUE(measured.capsuleBeyondImage);
+}
+
 TEST(TumourMeasures, OfABoxAreItsSidesAndGaps) {
   const Case made = boxLiver(box(Vec3(20, 10, 15), Vec3(28, 28, 30)));
   const std::vector<TumourMeasures> all = tumourMeasures(made);

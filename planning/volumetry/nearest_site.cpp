@@ -1,4 +1,4 @@
-#include "planning/territories/nearest_site.h"
+#include "planning/volumetry/nearest_site.h"
 
 #include <limits>
 #include <stdexcept>
