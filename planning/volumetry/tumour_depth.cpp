@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 namespace glisson {
 
@@ -193,16 +194,17 @@ class UnionDepth {
                  [](const ImageResection& one) { return !one.takesNothing(); });
   }
 
+  void keepCorners(const Box& box) { static_cast<void>(axisToHalve(box)); }
   void keep(const Box& whole) {
     std::vector<Box> open{whole};
     while (!open.empty()) {
       const Box box = open.back();
       open.pop_back();
-      if (!isDeeper(box)) {
+      const std::optional<Eigen::Index> deeper = axisToHalve(box);
+      if (!deeper) {
         continue;
       }
-      Eigen::Index axis = 0;
-      box.half.maxCoeff(&axis);
+      const Eigen::Index axis = *deeper;
       const Vec3 half = box.half - 0.5 * box.half[axis] * Vec3::Unit(axis);
       for (const double side : {-0.5, 0.5}) {
         open.push_back({box.centre + side * box.half[axis] * Vec3::Unit(axis), half});
@@ -213,10 +215,11 @@ class UnionDepth {
   [[nodiscard]] const Vec3& along() const { return along_; }
 
  private:
-  static constexpr double kFineMm = 0.01;
+  static constexpr double kFineMm = 0.05;
 
-  /// Whether the box may reach deeper than what is known, of which its corners are part then.
-  bool isDeeper(const Box& box) {
+  /// The axis along which the depths change most, where the box may reach deeper than what is known; its corners are part of that
+  /// then. Faces that run side by side leave a whole plane at the greatest depth: along it nothing is to be halved.
+  std::optional<Eigen::Index> axisToHalve(const Box& box) {
     std::array<Vec3, 8> corners;
     for (unsigned c = 0; c < corners.size(); ++c) {
       corners[c] = cornerOf(box, c);
@@ -230,28 +233,35 @@ class UnionDepth {
     };
     for (const ImageResection& one : plan_) {
       if (one.planes.empty() && one.bends.size() == 1 && !passes([&](std::size_t c) { return -one.bends[0].above(corners[c]); })) {
-        return false;
+        return std::nullopt;
       }
     }
     std::array<double, 8> depths;
     std::array<Vec3, 8> directions;
     depths.fill(kInfinity);
     directions.fill(Vec3::UnitZ());
+    constexpr double kShareOfLength = 0.16;  // what is as deep at both ends of a box may be less deep between them
+    Vec3 changes = kShareOfLength * box.half;
     for (const ImageResection& one : plan_) {
       double most = 0;
+      Vec3 change = Vec3::Zero();
       for (std::size_t c = 0; c < corners.size(); ++c) {
         double depth = kInfinity;
         Vec3 direction = Vec3::UnitZ();
         keepDepth(corners[c], one, depth, direction);
         most = std::max(most, depth);
+        for (Eigen::Index a = 0; a < 3 && std::isfinite(depth); ++a) {
+          change[a] += (c >> static_cast<std::size_t>(a) & 1U) != 0 ? depth : -depth;
+        }
         if (depth < depths[c]) {
           depths[c] = depth;
           directions[c] = direction;
         }
       }
       if (most <= greatest_ + kFineMm) {
-        return false;
+        return std::nullopt;
       }
+      changes += change.cwiseAbs();
     }
     bool finite = false;
     for (std::size_t c = 0; c < corners.size(); ++c) {
@@ -261,7 +271,9 @@ class UnionDepth {
         along_ = directions[c];
       }
     }
-    return finite;
+    Eigen::Index axis = 0;
+    changes.maxCoeff(&axis);
+    return finite ? std::optional(axis) : std::nullopt;
   }
 
   std::vector<ImageResection> plan_;
@@ -273,6 +285,9 @@ class UnionDepth {
 double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal) {
   if (std::ranges::count_if(plan, [](const ImageResection& one) { return !one.takesNothing(); }) > 1) {
     UnionDepth deepest(plan);
+    for (const RowRun& run : rows.runs) {
+      deepest.keepCorners(boxOf(run, spacing));
+    }
     for (const RowRun& run : rows.runs) {
       deepest.keep(boxOf(run, spacing));
     }
