@@ -108,7 +108,7 @@ QString crossedText(const VesselCrossing& vessel) {
 QStringList tumourNames(const PlanAssessment& assessment, TumourState state) {
   QStringList names;
   for (const TumourAssessment& tumour : assessment.tumours) {
-    if (tumour.state == state) {
+    if (!tumour.isCyst && tumour.state == state) {
       names << shownName(tumour.name);
     }
   }

@@ -19,6 +19,7 @@
 #include "app/gui/territory_box.h"
 #include "planning/exchange/pseudonym.h"
 #include "planning/exchange/version.h"
+#include "planning/report/decisive_tumour.h"
 #include "planning/storage/surface_hash.h"
 #include "planning/volumetry/tumour_measures.h"
 #include "reconstruction/errors.h"
@@ -113,7 +114,7 @@ QString numbersOf(const PlanReport& report) {
 QString untreatedOf(const PlanAssessment& assessment) {
   const auto sentence = [&](TumourState state, const QString& text) {
     const QStringList names = tumourNames(assessment, state);
-    const QString number = ReportText::tr("%1 of %2").arg(names.size()).arg(assessment.tumours.size());
+    const QString number = ReportText::tr("%1 of %2").arg(names.size()).arg(tumourCounts(assessment).all());
     return names.isEmpty() ? QString() : paragraph(text.arg(number, names.join(QStringLiteral(", "))));
   };
   return sentence(TumourState::Cut, ReportText::tr("Tumours cut: %1 (%2).")) +

@@ -36,13 +36,13 @@ double cutAreaOf(const PlanAssessment& a) {
 
 double tumoursOf(const PlanAssessment& a, TumourState state) {
   return static_cast<double>(
-      std::count_if(a.tumours.begin(), a.tumours.end(), [&](const TumourAssessment& t) { return t.state == state; }));
+      std::count_if(a.tumours.begin(), a.tumours.end(), [&](const TumourAssessment& t) { return !t.isCyst && t.state == state; }));
 }
 
 Value leastMarginOf(const PlanAssessment& a) {
   Value least;
   for (const TumourAssessment& tumour : a.tumours) {
-    if (tumour.marginAtLeastMm && (!least || *tumour.marginAtLeastMm < *least)) {
+    if (!tumour.isCyst && tumour.marginAtLeastMm && (!least || *tumour.marginAtLeastMm < *least)) {
       least = tumour.marginAtLeastMm;
     }
   }

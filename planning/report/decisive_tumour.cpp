@@ -27,6 +27,9 @@ std::pair<int, double> rankOf(const TumourAssessment& tumour) {
 TumourCounts tumourCounts(const PlanAssessment& assessment) {
   TumourCounts counts;
   for (const TumourAssessment& tumour : assessment.tumours) {
+    if (tumour.isCyst) {
+      continue;
+    }
     counts.removed += tumour.state == TumourState::Removed ? 1 : 0;
     counts.cut += tumour.state == TumourState::Cut ? 1 : 0;
     counts.left += tumour.state == TumourState::Left ? 1 : 0;
@@ -37,7 +40,7 @@ TumourCounts tumourCounts(const PlanAssessment& assessment) {
 const TumourAssessment* decisiveTumour(const PlanAssessment& assessment) {
   const TumourAssessment* first = nullptr;
   for (const TumourAssessment& tumour : assessment.tumours) {
-    if (first == nullptr || rankOf(tumour) < rankOf(*first)) {
+    if (!tumour.isCyst && (first == nullptr || rankOf(tumour) < rankOf(*first))) {
       first = &tumour;
     }
   }

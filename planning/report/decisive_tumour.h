@@ -1,6 +1,6 @@
 #pragma once
 // Purpose: what a plan does to its tumours, in short: how many it removes, cuts and leaves, and which of them the one margin that
-// is shown large belongs to.
+// is shown large belongs to. Cysts are no tumours here.
 
 #include <cstddef>
 

@@ -43,6 +43,7 @@ struct PlanAssessor::Impl {
     std::string id;
     std::string name;
     Body body;
+    bool isCyst = false;
   };
 
   ImageGeometry geometry;
@@ -111,7 +112,8 @@ PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>())
     }
     const auto& mask = masks[static_cast<std::size_t>(structure.sourceIndex)].mask;
     if (mask && isLesion(structure.kind)) {
-      impl_->tumours.push_back({structure.id, structure.name, Body(*mask, impl_->geometry.spacing)});
+      impl_->tumours.push_back(
+          {structure.id, structure.name, Body(*mask, impl_->geometry.spacing), structure.kind == StructureKind::Cyst});
       impl_->near.emplace_back(impl_->tumours.back().body.rows, impl_->liver.rows, impl_->liver.blocks, impl_->geometry.spacing);
     } else if (mask && isVessel(structure.kind)) {
       impl_->vessels.push_back({structure.id, structure.name, Body(*mask, impl_->geometry.spacing, &source.liver->liver)});
@@ -270,6 +272,7 @@ TumourAssessment PlanAssessor::Impl::assessTumour(std::size_t place, const PlanI
   TumourAssessment result;
   result.id = tumour.id;
   result.name = tumour.name;
+  result.isCyst = tumour.isCyst;
   std::int64_t taken = resected(tumour.body, plan).totalUnits();
   if (plan.hasSwitched()) {
     taken += plan.sides->switchedUnits(rows, plan.resections);

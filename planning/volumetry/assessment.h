@@ -25,6 +25,7 @@ inline constexpr std::string_view kMarginNotice =
 struct TumourAssessment {
   std::string id;
   std::string name;
+  bool isCyst = false;  ///< told of like a tumour, but it decides nothing: it may be cut or stay
   TumourState state = TumourState::Left;
   std::optional<double> marginMm;         ///< removed: >= 0; cut: minus the greatest depth on the remnant side; left: nothing
   std::optional<double> marginAtLeastMm;  ///< marginMm - r, r = 1/2 sum |n_i| spacing_i along the margin line

@@ -54,6 +54,7 @@ std::string toJson(const PlanAssessment& assessment) {
   json["tumours"] = Json::array();
   for (const TumourAssessment& tumour : assessment.tumours) {
     json["tumours"].push_back({{"name", tumour.name},
+                               {"kind", tumour.isCyst ? "cyst" : "tumour"},
                                {"state", textOf(tumour.state)},
                                {"marginMm", orNull(tumour.marginMm)},
                                {"marginAtLeastMm", orNull(tumour.marginAtLeastMm)},

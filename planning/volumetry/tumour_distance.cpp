@@ -26,7 +26,7 @@ TumourDistance::TumourDistance(const Case& source) {
   const auto& masks = source.segmentation->structures;
   for (const Structure& structure : source.model->structures) {
     const auto index = static_cast<std::size_t>(structure.sourceIndex);
-    if (!isLesion(structure.kind) || structure.sourceIndex < 0 || index >= masks.size() || !masks[index].mask) {
+    if (structure.kind != StructureKind::Tumour || structure.sourceIndex < 0 || index >= masks.size() || !masks[index].mask) {
       continue;
     }
     for (const RowRun& run : rowsOf(*masks[index].mask).runs) {

@@ -13,7 +13,7 @@ namespace glisson {
 
 class TumourDistance {
  public:
-  /// Of all lesions of the case. Const and thread-safe once built.
+  /// Of all tumours of the case; cysts are none. Const and thread-safe once built.
   explicit TumourDistance(const Case& source);
   [[nodiscard]] bool empty() const { return boxes_.empty(); }
 

@@ -2,9 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <numeric>
+#include <span>
 
 #include "reconstruction/mesh/edges.h"
+#include "reconstruction/parallel.h"
 
 namespace glisson::poisson {
 
@@ -47,8 +50,14 @@ class Cells {
     return cell;
   }
   [[nodiscard]] std::uint8_t& at(const Coord& c) { return bits_[index(c)]; }
+  /// From any thread.
   void add(const Box& box, unsigned bits) {
-    forEachIn(box, [&](std::uint8_t& cell) { cell = static_cast<std::uint8_t>(cell | bits); });
+    forEachIn(box, [&](std::uint8_t& cell) {
+      const std::atomic_ref shared(cell);
+      if ((shared.load(std::memory_order_relaxed) & bits) != bits) {
+        shared.fetch_or(static_cast<std::uint8_t>(bits), std::memory_order_relaxed);
+      }
+    });
   }
   [[nodiscard]] unsigned in(const Box& box) {
     unsigned any = 0;
@@ -80,83 +89,85 @@ class Cells {
   std::vector<std::uint8_t> bits_;
 };
 
-class Coarsener {
- public:
-  Coarsener(Cells cells, double cellMm, SurfaceMesh& mesh) : cells_(std::move(cells)), cellMm_(cellMm), mesh_(mesh) {}
+bool isGone(const Triangle& t) { return t[0] == t[1]; }
+std::size_t placeIn(const Triangle& t, std::uint32_t v) { return static_cast<std::size_t>(std::ranges::find(t, v) - t.begin()); }
+
+/// The mesh that is coarsened, with what is known of its surroundings.
+struct Surroundings {
+  Cells cells;
+  double cellMm;  ///< of the finest level
+  SurfaceMesh& mesh;
+  std::vector<std::uint8_t> free{};    ///< per vertex: no sample supports it
+  std::vector<std::uint8_t> done{};    ///< per vertex: taken part in this round
+  std::vector<std::uint32_t> first{};  ///< per vertex: the first of its triangles; one more at the end
+  std::vector<std::uint32_t> trianglesAt{};
+
+  [[nodiscard]] bool mayMove(std::uint32_t v) const { return free[v] != 0 && done[v] == 0; }
+  void addToCells(const Vec3& a, const Vec3& b, const Vec3& c) {
+    Box box(a);
+    cells.add(box.extend(b).extend(c), waysNotFaced((b - a).cross(c - a)));
+  }
 
   /// Puts the triangles into the cells and finds the vertices in cells without samples.
   void lookAround(const ExecutionContext& context) {
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (t % kPoll == 0) {
-        context.throwIfCancelled();
+    constexpr std::size_t kGrain = 8192;
+    parallelFor(mesh.triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      context.throwIfCancelled();
+      for (std::size_t t = begin; t < end; ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        addToCells(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
       }
-      const auto& [a, b, c] = mesh_.triangles[t];
-      addToCells(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
-    }
-    context.throwIfCancelled();
-    free_.resize(mesh_.vertices.size());
-    for (std::size_t v = 0; v < free_.size(); ++v) {
-      free_[v] = (cells_.at(cells_.of(mesh_.vertices[v])) & kSampled) == 0 ? 1 : 0;
-    }
-  }
-
-  /// One collapse at most for every vertex.
-  void round(const ExecutionContext& context) {
-    findTriangles(context);
-    done_.assign(mesh_.vertices.size(), 0);
-    for (std::uint32_t v = 0; v < free_.size(); ++v) {
-      if (v % kPoll == 0) {
-        context.throwIfCancelled();
+    });
+    free.resize(mesh.vertices.size());
+    parallelFor(free.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      context.throwIfCancelled();
+      for (std::size_t v = begin; v < end; ++v) {
+        free[v] = (cells.at(cells.of(mesh.vertices[v])) & kSampled) == 0 ? 1 : 0;
       }
-      if (mayMove(v)) {
-        findNear(v);
-        collapseOneOf(v);
-      }
-    }
-    context.throwIfCancelled();
-    std::erase_if(mesh_.triangles, isGone);
-  }
-
- private:
-  static constexpr std::size_t kPoll = 4096;
-
-  static bool isGone(const Triangle& t) { return t[0] == t[1]; }
-  static std::size_t placeIn(const Triangle& t, std::uint32_t v) {
-    return static_cast<std::size_t>(std::ranges::find(t, v) - t.begin());
-  }
-  [[nodiscard]] bool mayMove(std::uint32_t v) const { return free_[v] != 0 && done_[v] == 0; }
-
-  void addToCells(const Vec3& a, const Vec3& b, const Vec3& c) {
-    Box box(a);
-    cells_.add(box.extend(b).extend(c), waysNotFaced((b - a).cross(c - a)));
+    });
   }
 
   /// The triangles at every free vertex.
   void findTriangles(const ExecutionContext& context) {
-    first_.assign(mesh_.vertices.size() + 1, 0);
-    for (const Triangle& t : mesh_.triangles) {
+    first.assign(mesh.vertices.size() + 1, 0);
+    for (const Triangle& t : mesh.triangles) {
       for (const std::uint32_t v : t) {
-        first_[v + 1] += free_[v];
+        first[v + 1] += free[v];
       }
     }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    trianglesAt_.resize(first_.back());
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    trianglesAt.resize(first.back());
     context.throwIfCancelled();
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      for (const std::uint32_t v : mesh_.triangles[t]) {
-        if (free_[v] != 0) {
-          trianglesAt_[next[v]++] = t;
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (const std::uint32_t v : mesh.triangles[t]) {
+        if (free[v] != 0) {
+          trianglesAt[next[v]++] = t;
         }
       }
     }
   }
+};
 
+/// Collapses edges, one after the other. Several may be at work at once where they are blocks apart.
+class Coarsener {
+ public:
+  explicit Coarsener(Surroundings& around) : around_(around), mesh_(around.mesh) {}
+
+  /// Merges the vertex with one beside it, where that may be.
+  void coarsenAt(std::uint32_t v) {
+    if (around_.mayMove(v)) {
+      findNear(v);
+      collapseOneOf(v);
+    }
+  }
+
+ private:
   template <typename Visit>
   void forEachTriangleAt(std::uint32_t v, Visit&& visit) const {
-    for (std::uint32_t n = first_[v]; n < first_[v + 1]; ++n) {
-      if (!isGone(mesh_.triangles[trianglesAt_[n]])) {
-        visit(trianglesAt_[n]);
+    for (std::uint32_t n = around_.first[v]; n < around_.first[v + 1]; ++n) {
+      if (!isGone(mesh_.triangles[around_.trianglesAt[n]])) {
+        visit(around_.trianglesAt[n]);
       }
     }
   }
@@ -164,12 +175,12 @@ class Coarsener {
   /// The other ends of the edges that may be collapsed into v, the shortest first.
   void findNear(std::uint32_t v) {
     near_.clear();
-    const double most = kShort * cellMm_;
+    const double most = kShort * around_.cellMm;
     forEachTriangleAt(v, [&](std::uint32_t n) {
       const Triangle& t = mesh_.triangles[n];
       const std::uint32_t other = t[(placeIn(t, v) + 1) % 3];  // every neighbour once
       const double length = (mesh_.vertices[other] - mesh_.vertices[v]).norm();
-      if (mayMove(other) && length < most) {
+      if (around_.mayMove(other) && length < most) {
         near_.emplace_back(length, other);
       }
     });
@@ -241,7 +252,7 @@ class Coarsener {
       const Vec3 v = mesh_.vertices[side[1]] - place;
       const Vec3 normal = u.cross(v);
       const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-      const double most = kLongest * cellMm_;
+      const double most = kLongest * around_.cellMm;
       return u.squaredNorm() < most * most && normal.norm() > kNeedle * longest &&
              normal.dot(area) > kTurn * normal.norm() * area.norm();
     });
@@ -250,7 +261,7 @@ class Coarsener {
   /// All that is near faces one way along an axis, the new triangles too. A line that way then meets the surface once, since it
   /// would have to enter the body again in between; and the new triangles lie where the old ones did as seen along it.
   [[nodiscard]] bool staysGraph(const Vec3& place) {
-    unsigned notFaced = cells_.in(box_);
+    unsigned notFaced = around_.cells.in(box_);
     for (const auto& [b, c] : ring_) {
       notFaced |= waysNotFaced((mesh_.vertices[b] - place).cross(mesh_.vertices[c] - place));
     }
@@ -286,26 +297,78 @@ class Coarsener {
       }
     });
     mesh_.vertices[kept] = place;
-    done_[kept] = done_[merged] = 1;
-    free_[merged] = 0;
+    around_.done[kept] = around_.done[merged] = 1;
+    around_.free[merged] = 0;
     for (const auto& [b, c] : ring_) {
-      addToCells(place, mesh_.vertices[b], mesh_.vertices[c]);
+      around_.addToCells(place, mesh_.vertices[b], mesh_.vertices[c]);
     }
     return true;
   }
 
-  Cells cells_;
-  double cellMm_;  ///< of the finest level
+  Surroundings& around_;
   SurfaceMesh& mesh_;
-  std::vector<std::uint8_t> free_;    ///< per vertex: no sample supports it
-  std::vector<std::uint8_t> done_;    ///< per vertex: taken part in this round
-  std::vector<std::uint32_t> first_;  ///< per vertex: the first of its triangles; one more at the end
-  std::vector<std::uint32_t> trianglesAt_;
   std::vector<std::pair<double, std::uint32_t>> near_;  ///< of the vertex that is looked at: length of edge, other end
   // of the edge that is looked at
   std::vector<std::uint32_t> changed_;              ///< triangles that get a new corner
   std::vector<std::array<std::uint32_t, 2>> ring_;  ///< the side of each that stays
   Box box_;                                         ///< of all its triangles, and of the place they get
+};
+
+/// The free vertices by block of kBlockCells cells of the finest level, in eight groups of blocks: blocks of one group lie a block
+/// apart, farther than collapses reach (some four cells), so that they can be coarsened at once and the mesh is the same for any
+/// number of threads.
+class Blocks {
+ public:
+  Blocks(const Surroundings& around, int depth) : perSide_(std::max(1, (1 << depth) / kBlockCells)) {
+    const auto count = static_cast<std::size_t>(perSide_) * static_cast<std::size_t>(perSide_) * static_cast<std::size_t>(perSide_);
+    std::vector<std::uint32_t> blockOf(around.free.size());
+    first_.assign(count + 1, 0);
+    for (std::size_t v = 0; v < blockOf.size(); ++v) {
+      if (around.free[v] != 0) {
+        const Coord cell = around.cells.of(around.mesh.vertices[v]);  // of the level below the finest
+        const auto along = [&](std::size_t a) {
+          return static_cast<std::size_t>(std::min(cell[a] / (kBlockCells / 2), perSide_ - 1));
+        };
+        const auto side = static_cast<std::size_t>(perSide_);
+        blockOf[v] = static_cast<std::uint32_t>(along(0) + side * (along(1) + side * along(2)));
+        ++first_[blockOf[v] + 1];
+      }
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    vertices_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t v = 0; v < blockOf.size(); ++v) {
+      if (around.free[v] != 0) {
+        vertices_[next[blockOf[v]]++] = v;
+      }
+    }
+    for (std::size_t block = 0; block < count; ++block) {
+      if (first_[block] != first_[block + 1]) {
+        const auto side = static_cast<std::size_t>(perSide_);
+        groups_[(block & 1U) + 2 * (block / side & 1U) + 4 * (block / side / side & 1U)].push_back(block);
+      }
+    }
+  }
+
+  /// Calls visit(vertices of a block), for the blocks of a group on several threads.
+  template <typename Visit>
+  void forEach(const ExecutionContext& context, const Visit& visit) const {
+    for (const std::vector<std::size_t>& group : groups_) {
+      parallelFor(group.size(), 4, [&](std::size_t begin, std::size_t end) {
+        context.throwIfCancelled();
+        for (std::size_t n = begin; n < end; ++n) {
+          visit(std::span(vertices_).subspan(first_[group[n]], first_[group[n] + 1] - first_[group[n]]));
+        }
+      });
+    }
+  }
+
+ private:
+  static constexpr int kBlockCells = 16;
+  int perSide_;
+  std::vector<std::uint32_t> first_;  ///< per block: its first vertex; one more at the end
+  std::vector<std::uint32_t> vertices_;
+  std::array<std::vector<std::size_t>, 8> groups_;
 };
 
 }  // namespace
@@ -317,10 +380,18 @@ void coarsenUnsupported(const CubeSamples& samples, const Vec3& corner, double c
   for (const auto& [x, y, z] : samples.positions) {
     cells.at(cells.of(corner + cellMm * Vec3(x, y, z))) = kSampled;
   }
-  Coarsener coarsener(std::move(cells), cellMm, mesh);
-  coarsener.lookAround(context);
+  Surroundings around{.cells = std::move(cells), .cellMm = cellMm, .mesh = mesh};
+  around.lookAround(context);
+  const Blocks blocks(around, samples.depth);
   for (int n = 0; n < kRounds; ++n) {
-    coarsener.round(context);
+    around.findTriangles(context);
+    around.done.assign(mesh.vertices.size(), 0);
+    blocks.forEach(context, [&](std::span<const std::uint32_t> vertices) {
+      Coarsener coarsener(around);
+      std::ranges::for_each(vertices, [&](std::uint32_t v) { coarsener.coarsenAt(v); });
+    });
+    context.throwIfCancelled();
+    std::erase_if(mesh.triangles, isGone);
   }
   dropUnusedVertices(mesh);
 }

@@ -41,6 +41,17 @@ TEST(DecisiveTumour, IsTheLeastMarginOfTheRemovedAndOneThatIsLeftOnlyWhereNoneIs
   EXPECT_EQ(decisiveOf({}), "none");
 }
 
+TEST(DecisiveTumour, ACystDecidesNothingAndIsNotCounted) {
+  TumourAssessment cyst = tumour("cyst", TumourState::Cut, -3);
+  cyst.isCyst = true;
+  EXPECT_EQ(decisiveOf({cyst, tumour("tumour", TumourState::Removed, 12)}), "tumour");
+  EXPECT_EQ(decisiveOf({cyst}), "none");
+  PlanAssessment assessment;
+  assessment.tumours = {cyst, tumour("tumour", TumourState::Removed, 12)};
+  EXPECT_EQ(tumourCounts(assessment).all(), 1U);
+  EXPECT_EQ(tumourCounts(assessment).cut, 0U);
+}
+
 TEST(DecisiveTumour, CountsEachStateOfItsTumours) {
   PlanAssessment assessment;
   assessment.tumours = {tumour("a", TumourState::Left, 1), tumour("b", TumourState::Cut, -1), tumour("c", TumourState::Left, 2),
