@@ -4538,10 +4538,6 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>Leber %1, funktionell %2</translation>
     </message>
     <message>
-        <source>%1, uncertainty of the cut ±%2</source>
-        <translation>%1, Unsicherheit des Schnitts ±%2</translation>
-    </message>
-    <message>
         <source>the liver is not divided</source>
         <translation>Leber ungeteilt</translation>
     </message>
@@ -4580,6 +4576,10 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>%1, along the cut</source>
         <translation>%1, längs des Schnitts</translation>
+    </message>
+    <message>
+        <source>%1, uncertainty of the cut ±%2</source>
+        <translation>%1, Unsicherheit des Schnitts ±%2</translation>
     </message>
 </context>
 <context>
@@ -5565,6 +5565,22 @@ L %2</translation>
     <message>
         <source>none of them</source>
         <translation>keinem davon</translation>
+    </message>
+    <message>
+        <source>%1 (proposed)</source>
+        <translation>%1 (vorgeschlagen)</translation>
+    </message>
+    <message>
+        <source>Branches in the 3D view</source>
+        <translation>Äste in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>The portal branches, each in the colour of the territory that hangs on it; grey ones own nothing</source>
+        <translation>Die Pfortaderäste, jeder in der Farbe des Territoriums, das an ihm hängt; grauen gehört nichts</translation>
+    </message>
+    <message>
+        <source>Show the branches in the 3D view and look at them first.</source>
+        <translation>Zeigen Sie die Äste in der 3D-Ansicht und sehen Sie sie zuerst an.</translation>
     </message>
 </context>
 <context>
