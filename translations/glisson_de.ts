@@ -4578,8 +4578,32 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>%1, längs des Schnitts</translation>
     </message>
     <message>
-        <source>%1, uncertainty of the cut ±%2</source>
-        <translation>%1, Unsicherheit des Schnitts ±%2</translation>
+        <source>Resection</source>
+        <translation>Resektion</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>As the planes leave it, without separated pieces given to the other side</source>
+        <translation>Wie die Ebenen es lassen, ohne abgetrennte Stücke, die der anderen Seite gegeben sind</translation>
+    </message>
+    <message>
+        <source>Area of the cut</source>
+        <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <source>%1, uncertainty of the cut ±%2, area of the cut %3</source>
+        <translation>%1, Unsicherheit des Schnitts ±%2, Schnittfläche %3</translation>
+    </message>
+    <message>
+        <source>at %1; a click shows it in the slices</source>
+        <translation>bei %1; ein Klick zeigt es in den Schichten</translation>
     </message>
 </context>
 <context>
@@ -5253,6 +5277,18 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Written %1 UTC; case %2, model revision %3.</source>
         <translation>Geschrieben %1 UTC; Fall %2, Modellrevision %3.</translation>
+    </message>
+    <message>
+        <source>Resection</source>
+        <translation>Resektion</translation>
+    </message>
+    <message>
+        <source>area of the cut</source>
+        <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <source>Area of the cut</source>
+        <translation>Schnittfläche</translation>
     </message>
 </context>
 <context>
