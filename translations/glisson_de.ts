@@ -5611,8 +5611,8 @@ L %2</translation>
         <translation>Äste in der 3D-Ansicht</translation>
     </message>
     <message>
-        <source>The portal branches, each in the colour of the territory that hangs on it; grey ones own nothing</source>
-        <translation>Die Pfortaderäste, jeder in der Farbe des Territoriums, das an ihm hängt; grauen gehört nichts</translation>
+        <source>The portal branches, each in the colour of the territory that hangs on it; grey ones belong to none of them</source>
+        <translation>Die Pfortaderäste, jeder in der Farbe des Territoriums, das an ihm hängt; graue gehören zu keinem</translation>
     </message>
     <message>
         <source>Show the branches in the 3D view and look at them first.</source>

@@ -156,7 +156,8 @@ void TerritoryBox::retranslateUi() {
   pick_->setText(tr("Pick a branch"));
   propose_->setText(tr("Left and right"));
   shown_->setText(tr("Branches in the 3D view"));
-  shown_->setToolTip(tr("The portal branches, each in the colour of the territory that hangs on it; grey ones own nothing"));
+  shown_->setToolTip(
+      tr("The portal branches, each in the colour of the territory that hangs on it; grey ones belong to none of them"));
   parts_->setHeaderLabels({tr("Territory"), tr("Volume"), tr("Resected")});
   refresh();
 }
