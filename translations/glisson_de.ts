@@ -4546,10 +4546,6 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <translation>Leber %1, funktionell %2</translation>
     </message>
     <message>
-        <source>%1, uncertainty of the cut ±%2</source>
-        <translation>%1, Unsicherheit des Schnitts ±%2</translation>
-    </message>
-    <message>
         <source>the liver is not divided</source>
         <translation>Leber ungeteilt</translation>
     </message>
@@ -4588,6 +4584,34 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>%1, along the cut</source>
         <translation>%1, längs des Schnitts</translation>
+    </message>
+    <message>
+        <source>Resection</source>
+        <translation>Resektion</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>As the planes leave it, without separated pieces given to the other side</source>
+        <translation>Wie die Ebenen es lassen, ohne abgetrennte Stücke, die der anderen Seite gegeben sind</translation>
+    </message>
+    <message>
+        <source>Area of the cut</source>
+        <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <source>%1, uncertainty of the cut ±%2, area of the cut %3</source>
+        <translation>%1, Unsicherheit des Schnitts ±%2, Schnittfläche %3</translation>
+    </message>
+    <message>
+        <source>at %1; a click shows it in the slices</source>
+        <translation>bei %1; ein Klick zeigt es in den Schichten</translation>
     </message>
 </context>
 <context>
@@ -5262,6 +5286,18 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
         <source>Written %1 UTC; case %2, model revision %3.</source>
         <translation>Geschrieben %1 UTC; Fall %2, Modellrevision %3.</translation>
     </message>
+    <message>
+        <source>Resection</source>
+        <translation>Resektion</translation>
+    </message>
+    <message>
+        <source>area of the cut</source>
+        <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <source>Area of the cut</source>
+        <translation>Schnittfläche</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ReportWriter</name>
@@ -5573,6 +5609,22 @@ L %2</translation>
     <message>
         <source>none of them</source>
         <translation>keinem davon</translation>
+    </message>
+    <message>
+        <source>%1 (proposed)</source>
+        <translation>%1 (vorgeschlagen)</translation>
+    </message>
+    <message>
+        <source>Branches in the 3D view</source>
+        <translation>Äste in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>The portal branches, each in the colour of the territory that hangs on it; grey ones belong to none of them</source>
+        <translation>Die Pfortaderäste, jeder in der Farbe des Territoriums, das an ihm hängt; graue gehören zu keinem</translation>
+    </message>
+    <message>
+        <source>Show the branches in the 3D view and look at them first.</source>
+        <translation>Zeigen Sie die Äste in der 3D-Ansicht und sehen Sie sie zuerst an.</translation>
     </message>
 </context>
 <context>

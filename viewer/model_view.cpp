@@ -164,6 +164,12 @@ void ModelView::setTumours(std::shared_ptr<const TumourDistance> tumours) {
   requestRender();
 }
 
+void ModelView::setTerritories(std::vector<DrawnTerritory> territories) {
+  if (impl_->territoryActors.setTerritories(std::move(territories))) {
+    requestRender();
+  }
+}
+
 void ModelView::setStandardView(StandardView view) {
   switch (view) {
     case StandardView::Anterior:

@@ -12,6 +12,7 @@
 #include "planning/resection/resection_plan.h"
 #include "planning/volumetry/tumour_distance.h"
 #include "viewer/display_mesh.h"
+#include "viewer/drawn_territory.h"
 #include "viewer/pick_tool.h"
 #include "viewer/view_camera.h"
 #include "viewer/vtk_widget.h"
@@ -62,6 +63,8 @@ class ModelView : public VtkWidget {
   [[nodiscard]] bool mapShown() const;
   /// What the resection surface is coloured by; null: it stays plain.
   void setTumours(std::shared_ptr<const TumourDistance> tumours);
+  /// The portal branches of territories, in their colours; nothing hides them. None is the default.
+  void setTerritories(std::vector<DrawnTerritory> territories);
   /// The shortest way from the tumour that decides to the resection surface; red where it is too short.
   void setMarginLine(const std::optional<std::pair<Vec3, Vec3>>& line, bool tooShort);
 

@@ -16,6 +16,7 @@
 #include "viewer/resectogram.h"
 #include "viewer/section_actors.h"
 #include "viewer/structure_actors.h"
+#include "viewer/territory_actors.h"
 #include "viewer/vtk_scene.h"
 
 namespace glisson {
@@ -26,6 +27,7 @@ struct ModelView::Impl {
         scene(owner->scene()),
         planeActors(scene.overlay),
         measureActors(scene.overlay),
+        territoryActors(scene.overlay),
         cube(scene.interactor, scene.renderer) {}
 
   ModelView* view;
@@ -38,6 +40,7 @@ struct ModelView::Impl {
   std::optional<ResectionPlane> plane;  ///< the one worked on, with handles; it stands in `plan` too
   PlaneActors planeActors;
   MeasureActors measureActors;
+  TerritoryActors territoryActors;
   std::vector<std::unique_ptr<SectionActors>> sections;  ///< one for each plane of the plan, in its order
   OrientationCube cube;
   std::vector<Loop> section;

@@ -163,6 +163,7 @@ void MainWindow::connectParts() {
   connect(&plan_->planBar(), &PlanBar::refused, this, &MainWindow::complain);
   plan_->measureBox().pointIn(views_->modelView());
   connect(&plan_->islandBox(), &IslandBox::chosen, views_, &ViewArea::setCrosshair);
+  connect(plan_, &PlanPanel::crossingChosen, views_, &ViewArea::setCrosshair);
   connect(&plan_->islandBox(), &IslandBox::refused, this, &MainWindow::complain);
   plan_->territoryBox().pointIn(views_->modelView());
   connect(&plan_->territoryBox(), &TerritoryBox::hint, jobBar_, &JobBar::tell);

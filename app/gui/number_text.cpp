@@ -19,6 +19,8 @@ QString mlText(double ml, int decimals) { return numberText(ml, decimals) + QStr
 
 QString mmText(double mm, int decimals) { return numberText(mm, decimals) + QStringLiteral("\u00A0mm"); }
 
+QString areaText(double mm2) { return numberText(mm2 / 100, 1) + QStringLiteral("\u00A0cm\u00B2"); }
+
 QString percentText(double percent, int decimals) { return numberText(percent, decimals) + QStringLiteral("\u00A0%"); }
 
 QString dateText(const std::string& yyyymmdd) {

@@ -20,6 +20,7 @@
 #include "app/gui/sentences.h"
 #include "app/gui/territory_box.h"
 #include "app/gui/tumour_box.h"
+#include "planning/report/compare_plans.h"
 #include "planning/report/decisive_tumour.h"
 
 namespace glisson {
@@ -28,6 +29,7 @@ namespace {
 
 constexpr int kVesselRows = 5;  ///< always: their number changes while the plane moves, and nothing below may jump
 constexpr int kMostTumourRows = 6;
+constexpr int kMostResectionRows = 4;
 
 QTreeWidget* makeTable(const QString& name, int columns, QWidget* parent) {
   auto* table = new QTreeWidget(parent);
@@ -56,6 +58,11 @@ class Column : public QWidget {
 /// ">= 6.9"; empty where there is no lower bound.
 QString atLeastText(const TumourAssessment& tumour) {
   return tumour.marginAtLeastMm ? QStringLiteral("\u2265\u00A0") + numberText(*tumour.marginAtLeastMm, 1) : QString();
+}
+
+/// "L -34.0, P 68.0, S 350.0 mm".
+QString lpsText(const Vec3& at) {
+  return QStringLiteral("L\u00A0%1, P\u00A0%2, S\u00A0%3").arg(numberText(at.x(), 1), numberText(at.y(), 1), mmText(at.z()));
 }
 
 QString marginText(const TumourAssessment& tumour) {
@@ -125,6 +132,7 @@ PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& te
       margin_(new BigNumber("margin", 1.8, this)),
       warning_(new QLabel(this)),
       uncertainty_(new QLabel(this)),
+      resections_(makeTable("resectionTable", 3, this)),
       editor_(new PlaneEditor(this)),
       tumoursLabel_(new QLabel(this)),
       tumours_(makeTable("tumourTable", 3, this)),
@@ -150,13 +158,14 @@ PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& te
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(6, 4, 6, 4);
   column->setSpacing(3);
-  for (QWidget* part : std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, warning_, editor_,
-                                                       tumoursLabel_, tumours_, marginNotice_, vesselsLabel_, vessels_, islands_,
-                                                       card_, territories_, sizes_, measures_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{bar_, flr_, resected_, margin_, remnant_, uncertainty_, resections_,
+                                                       warning_, editor_, tumoursLabel_, tumours_, marginNotice_, vesselsLabel_,
+                                                       vessels_, islands_, card_, territories_, sizes_, measures_}) {
     column->addWidget(part);
   }
   column->addStretch(1);
   fitRows(*vessels_, kVesselRows);
+  vessels_->setSelectionMode(QAbstractItemView::SingleSelection);
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -176,6 +185,8 @@ PlanPanel::PlanPanel(JobRunner& jobs, Document& document, TerritoryEstimator& te
   keepWheel(content->findChildren<QAbstractSpinBox*>());
   keepWheel(content->findChildren<QComboBox*>());
 
+  connect(vessels_, &QTreeWidget::itemClicked, this, &PlanPanel::chooseCrossing);
+  connect(vessels_, &QTreeWidget::itemActivated, this, &PlanPanel::chooseCrossing);
   connect(&document_, &Document::assessmentChanged, this, &PlanPanel::refresh);
   connect(&document_, &Document::planChanged, this, &PlanPanel::refreshPlane);
   connect(&document_, &Document::caseChanged, this, &PlanPanel::refresh);
@@ -203,12 +214,16 @@ void PlanPanel::retranslateUi() {
   marginNotice_->setText(marginNotice());
   tumours_->setHeaderLabels({tr("Tumour"), tr("State"), tr("Margin, mm")});
   vessels_->setHeaderLabels({tr("Vessel"), tr("Diameter")});
+  resections_->setHeaderLabels({tr("Resection"), tr("Volume"), tr("Cut")});
+  resections_->headerItem()->setToolTip(1, tr("As the planes leave it, without separated pieces given to the other side"));
+  resections_->headerItem()->setToolTip(2, tr("Area of the cut"));
   refresh();
   refreshPlane();
 }
 
 void PlanPanel::refresh() {
   refreshVolumes();
+  refreshResections();
   refreshMargin();
   refreshTables();
   refreshPlacing();
@@ -229,10 +244,31 @@ void PlanPanel::refreshVolumes() {
   uncertainty_->setVisible(known);
   const QString liver = tr("Liver %1, functional %2").arg(mlText(now.totalMl), mlText(now.functionalMl));
   const bool cut = document_.plane() && now.divides;
-  uncertainty_->setText(cut ? tr("%1, uncertainty of the cut \u00B1%2").arg(liver, mlText(now.volumeUncertaintyMl, 1)) : liver);
+  uncertainty_->setText(cut ? tr("%1, uncertainty of the cut \u00B1%2, area of the cut %3")
+                                  .arg(liver, mlText(now.volumeUncertaintyMl, 1), areaText(cutAreaMm2(now)))
+                            : liver);
   const QString warning = shownSentence(now.warning);
   warning_->setVisible(known && !warning.isEmpty());
   warning_->setText(warning);
+}
+
+/// Of a plan with several resections; one has the plan's own numbers.
+void PlanPanel::refreshResections() {
+  const PlanAssessment& now = document_.assessment();
+  const bool shown = document_.freshness() != Freshness::None && document_.plane() && now.divides && now.resections.size() > 1;
+  resections_->clear();
+  resections_->setVisible(shown);
+  if (!shown) {
+    return;
+  }
+  for (const ResectionVolume& resection : now.resections) {
+    auto* row =
+        new QTreeWidgetItem(resections_, {shownName(resection.name), mlText(resection.volumeMl), areaText(resection.cutAreaMm2)});
+    row->setToolTip(0, row->text(0));
+    row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    row->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+  }
+  fitRows(*resections_, std::min(resections_->topLevelItemCount(), kMostResectionRows));
 }
 
 /// Why there is no margin and no vessel to speak of; empty where there are.
@@ -315,7 +351,9 @@ void PlanPanel::refreshTables() {
     }
     for (const VesselCrossing& vessel : now.vesselsCrossed) {
       auto* row = new QTreeWidgetItem(vessels_, {crossedText(vessel), mmText(vessel.diameterMm)});
-      row->setToolTip(0, row->text(0));
+      const QString where = tr("at %1; a click shows it in the slices").arg(lpsText(vessel.positionMm));
+      row->setToolTip(0, row->text(0) + QStringLiteral("\n") + where);
+      row->setToolTip(1, where);
       row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     }
   }
@@ -331,6 +369,14 @@ void PlanPanel::refreshTables() {
   vesselsLabel_->setText(counted                                    ? tr("Vessels crossed: %1").arg(now.vesselsCrossed.size())
                          : document_.isOpen() && !missing.isEmpty() ? tr("Vessels crossed: -, %1").arg(missing)
                                                                     : tr("Vessels crossed"));
+}
+
+void PlanPanel::chooseCrossing(QTreeWidgetItem* row) {
+  const std::vector<VesselCrossing>& crossed = document_.assessment().vesselsCrossed;
+  const int at = vessels_->indexOfTopLevelItem(row);
+  if (at >= 0 && static_cast<std::size_t>(at) < crossed.size()) {
+    emit crossingChosen(crossed[static_cast<std::size_t>(at)].positionMm);
+  }
 }
 
 void PlanPanel::refreshPlane() { editor_->setPlane(document_.plane()); }

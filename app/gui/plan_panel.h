@@ -9,6 +9,7 @@
 class QGroupBox;
 class QLabel;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace glisson {
 
@@ -32,6 +33,10 @@ class PlanPanel : public Translated<QWidget> {
   [[nodiscard]] IslandBox& islandBox() { return *islands_; }
   [[nodiscard]] TerritoryBox& territoryBox() { return *territories_; }
 
+ signals:
+  /// A row of the vessels crossed was clicked or activated: mm LPS.
+  void crossingChosen(const glisson::Vec3& at);
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void retranslateUi() override;
@@ -39,11 +44,13 @@ class PlanPanel : public Translated<QWidget> {
  private:
   void refresh();
   void refreshVolumes();
+  void refreshResections();
   void refreshMargin();
   void showTumoursLeft(const TumourAssessment& decisive);
   void showMarginOf(const TumourAssessment& tumour);
   [[nodiscard]] QString missingNumbers() const;
   void refreshTables();
+  void chooseCrossing(QTreeWidgetItem* row);
   void refreshPlane();
   void refreshPlacing();
 
@@ -55,6 +62,7 @@ class PlanPanel : public Translated<QWidget> {
   BigNumber* margin_;
   QLabel* warning_;
   QLabel* uncertainty_;
+  QTreeWidget* resections_;
   PlaneEditor* editor_;
   QLabel* tumoursLabel_;
   QTreeWidget* tumours_;

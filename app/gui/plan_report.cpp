@@ -19,6 +19,7 @@
 #include "app/gui/territory_box.h"
 #include "planning/exchange/pseudonym.h"
 #include "planning/exchange/version.h"
+#include "planning/report/compare_plans.h"
 #include "planning/report/decisive_tumour.h"
 #include "planning/storage/surface_hash.h"
 #include "planning/volumetry/tumour_measures.h"
@@ -89,6 +90,18 @@ QString writtenLine(const PlanReport& report) {
            QString::fromStdString(report.content.code), QString::number(report.content.model->revision));
 }
 
+/// Of a plan with several resections; one has the plan's own numbers.
+QString resectionsOf(const PlanAssessment& assessment) {
+  if (assessment.resections.size() < 2) {
+    return {};
+  }
+  QString rows = header({ReportText::tr("Resection"), ReportText::tr("volume"), ReportText::tr("area of the cut")});
+  for (const ResectionVolume& resection : assessment.resections) {
+    rows += row({shownName(resection.name), mlText(resection.volumeMl, 1), areaText(resection.cutAreaMm2)});
+  }
+  return table(rows);
+}
+
 QString numbersOf(const PlanReport& report) {
   const PlanAssessment& a = report.assessment;
   if (!a.divides) {
@@ -103,7 +116,8 @@ QString numbersOf(const PlanReport& report) {
   rows += row({ReportText::tr("Remnant"), mlText(a.remnantMl, 1) + uncertainty, percent(a.remnantMl, a.totalMl)});
   rows += row({ReportText::tr("Functional remnant (FLR), share of the functional liver"),
                mlText(a.functionalRemnantMl, 1) + uncertainty, percentText(a.flrPercent, 1)});
-  QString html = table(rows);
+  rows += row({ReportText::tr("Area of the cut"), areaText(cutAreaMm2(a)), {}});
+  QString html = table(rows) + resectionsOf(a);
   if (!a.warning.empty()) {
     html += paragraph(shownSentence(a.warning));
   }

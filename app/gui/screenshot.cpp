@@ -51,8 +51,8 @@ void ScreenshotTaker::proceed() {
   if (std::exchange(what_.placePlane, false) && !document.plane()) {
     window_.placer().placeAsSeen();
   }
-  if (!what_.report.isEmpty() && !document.content().territories.marks.empty() &&
-      window_.territories().state() == TerritoryEstimator::State::None && !std::exchange(estimated_, true)) {
+  if (!document.content().territories.marks.empty() && window_.territories().state() == TerritoryEstimator::State::None &&
+      !std::exchange(estimated_, true)) {
     window_.territories().estimate();
   }
   if (finished_ || !jobs_.idle()) {

@@ -24,7 +24,7 @@ class ScreenshotTaker : public QObject {
     bool placePlane = false;    ///< puts the first plane where the plan is empty (the sample patient's picture)
     bool withIdentity = false;  ///< the report names the patient
   };
-  /// Territories that a person has confirmed are estimated for the report.
+  /// Territories that a person has confirmed are estimated for both.
   ScreenshotTaker(MainWindow& window, JobRunner& jobs, What what);
 
  signals:

@@ -1,13 +1,16 @@
 #include "app/gui/territory_box.h"
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
+#include <algorithm>
 
 #include "app/gui/narrow_table.h"
 #include "app/gui/number_text.h"
 #include "app/gui/sentences.h"
+#include "planning/territories/branch_owners.h"
 
 namespace glisson {
 
@@ -16,6 +19,42 @@ namespace {
 constexpr int kListHeight = 92;
 
 QString mlOrUnknown(const std::optional<double>& ml) { return ml ? mlText(*ml, 1) : TerritoryBox::tr("not known"); }
+
+constexpr int kSwatchPixels = 12;
+constexpr double kTubeShare = 0.5;  ///< of the vessel's radius: the tube lies inside the vessel
+constexpr double kLeastTubeMm = 0.8;
+constexpr double kMostTubeMm = 2.5;
+
+/// The territory's colour in the view and beside its row; `place`: in the report and among the picks.
+Rgb colourOf(const std::string& name, std::size_t place) {
+  return name == kNotPicked ? kNoTerritoryColour : territoryColour(place);
+}
+
+QIcon swatchOf(Rgb colour) {
+  QPixmap square(kSwatchPixels, kSwatchPixels);
+  square.fill(QColor(colour.r, colour.g, colour.b));
+  QIcon icon(square);
+  icon.addPixmap(square, QIcon::Disabled);  // out of date are the numbers, not the colours
+  return icon;
+}
+
+std::vector<DrawnTerritory> drawnTerritories(const VesselGraph& portal, const TerritoryChoice& choice) {
+  std::vector<DrawnTerritory> drawn;
+  for (std::size_t n = 0; n < choice.picks.size(); ++n) {
+    const std::string& name = choice.picks[n].name;
+    const QString shown = choice.confirmed ? territoryName(name) : TerritoryBox::tr("%1 (proposed)").arg(territoryName(name));
+    drawn.push_back({shown.toStdString(), colourOf(name, n), {}});
+  }
+  drawn.push_back({{}, kNoTerritoryColour, {}});  // what is not picked, and what owns nothing
+  const std::vector<std::int32_t> owners = ownersOfBranches(portal, choice);
+  for (std::size_t n = 0; n < owners.size(); ++n) {
+    const VesselBranch& branch = portal.branches[n];
+    const double radius = std::clamp(kTubeShare * branch.meanRadiusMm, kLeastTubeMm, kMostTubeMm);
+    DrawnTerritory& owner = owners[n] == kOwnsNothing ? drawn.back() : drawn[static_cast<std::size_t>(owners[n])];
+    owner.branches.push_back({branch.lineMm, radius});
+  }
+  return drawn;
+}
 
 }  // namespace
 
@@ -54,6 +93,7 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
       confirm_(new QPushButton(this)),
       pick_(new QPushButton(this)),
       propose_(new QPushButton(this)),
+      shown_(new QCheckBox(this)),
       parts_(new QTreeWidget(this)),
       perfusion_(new QLabel(this)),
       notes_(new QLabel(this)) {
@@ -62,6 +102,8 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
   confirm_->setObjectName("confirmTerritories");
   pick_->setObjectName("pickTerritory");
   propose_->setObjectName("proposeTerritories");
+  shown_->setObjectName("showTerritories");
+  shown_->setChecked(true);
   parts_->setObjectName("territoryTable");
   perfusion_->setObjectName("perfusionText");
   notes_->setObjectName("territoryNotes");
@@ -74,14 +116,16 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
   grid->setContentsMargins(4, 2, 4, 4);
   grid->addWidget(estimate_, 0, 0, 1, 2);
   grid->addWidget(parts_, 1, 0, 1, 2);
-  grid->addWidget(confirm_, 2, 0, 1, 2);
-  grid->addWidget(pick_, 3, 0);
-  grid->addWidget(propose_, 3, 1);
-  grid->addWidget(perfusion_, 4, 0, 1, 2);
-  grid->addWidget(notes_, 5, 0, 1, 2);
+  grid->addWidget(shown_, 2, 0, 1, 2);
+  grid->addWidget(confirm_, 3, 0, 1, 2);
+  grid->addWidget(pick_, 4, 0);
+  grid->addWidget(propose_, 4, 1);
+  grid->addWidget(perfusion_, 5, 0, 1, 2);
+  grid->addWidget(notes_, 6, 0, 1, 2);
 
   connect(estimate_, &QPushButton::clicked, &estimator_, &TerritoryEstimator::estimate);
   connect(confirm_, &QPushButton::clicked, &estimator_, &TerritoryEstimator::confirm);
+  connect(shown_, &QCheckBox::toggled, this, &TerritoryBox::refresh);
   connect(propose_, &QPushButton::clicked, &estimator_, &TerritoryEstimator::propose);
   connect(pick_, &QPushButton::clicked, this, [this] {
     view_->startPick(PickKind::Branch);
@@ -102,6 +146,7 @@ void TerritoryBox::pointIn(ModelView& view) {
     }
   });
   refreshButtons();
+  refreshBranches();
 }
 
 void TerritoryBox::retranslateUi() {
@@ -110,6 +155,9 @@ void TerritoryBox::retranslateUi() {
   confirm_->setText(tr("Left and right are right"));
   pick_->setText(tr("Pick a branch"));
   propose_->setText(tr("Left and right"));
+  shown_->setText(tr("Branches in the 3D view"));
+  shown_->setToolTip(
+      tr("The portal branches, each in the colour of the territory that hangs on it; grey ones belong to none of them"));
   parts_->setHeaderLabels({tr("Territory"), tr("Volume"), tr("Resected")});
   refresh();
 }
@@ -118,7 +166,7 @@ void TerritoryBox::refresh() {
   const bool known =
       estimator_.state() == TerritoryEstimator::State::Current || estimator_.state() == TerritoryEstimator::State::Following;
   estimate_->setVisible(!known);
-  for (QWidget* part : std::initializer_list<QWidget*>{parts_, pick_, propose_, perfusion_, notes_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{parts_, shown_, pick_, propose_, perfusion_, notes_}) {
     part->setVisible(known);
   }
   confirm_->setVisible(known && estimator_.isProposal());
@@ -129,6 +177,14 @@ void TerritoryBox::refresh() {
     refreshNumbers(*estimator_.report());
   }
   refreshButtons();
+  refreshBranches();
+}
+
+void TerritoryBox::refreshBranches() {
+  if (view_ != nullptr) {
+    const VesselGraph* portal = shown_->isChecked() ? estimator_.portal() : nullptr;
+    view_->setTerritories(portal != nullptr ? drawnTerritories(*portal, estimator_.choice()) : std::vector<DrawnTerritory>());
+  }
 }
 
 void TerritoryBox::refreshButtons() {
@@ -141,7 +197,9 @@ void TerritoryBox::refreshButtons() {
   estimate_->setEnabled(reason.isEmpty());
   estimate_->setToolTip(
       reason.isEmpty() ? tr("Which part of the liver hangs on which branch, and what the plan cuts off from blood") : reason);
-  confirm_->setToolTip(tr("You have looked at the proposed left and right and found them right"));
+  confirm_->setEnabled(shown_->isChecked());
+  confirm_->setToolTip(confirm_->isEnabled() ? tr("You have looked at the proposed left and right and found them right")
+                                             : tr("Show the branches in the 3D view and look at them first."));
   pick_->setEnabled(view_ != nullptr);
   propose_->setEnabled(estimator_.isPicked());
   propose_->setToolTip(estimator_.isPicked() ? tr("Back to left and right as proposed") : tr("Left and right are shown already."));
@@ -149,10 +207,12 @@ void TerritoryBox::refreshButtons() {
 
 void TerritoryBox::refreshNumbers(const TerritoryReport& report) {
   parts_->clear();
-  for (const TerritoryVolume& part : report.volumes) {
+  for (std::size_t n = 0; n < report.volumes.size(); ++n) {
+    const TerritoryVolume& part = report.volumes[n];
     auto* row = new QTreeWidgetItem(parts_, {territoryName(part.name), mlText(part.volumeMl), mlText(part.resectedMl)});
     row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     row->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+    row->setIcon(0, swatchOf(colourOf(part.name, n)));
     row->setToolTip(0, tr("%1 of it stays").arg(mlText(part.remnantMl, 1)));
   }
   perfusion_->setText(perfusionText(report.effect));

@@ -1,6 +1,7 @@
 #pragma once
 // Purpose: the estimates of territories and of the remnant's blood beside the plan's numbers: asked for with a button, looked at
-// and confirmed, or made of branches that are clicked in the 3D view. Called estimates throughout.
+// and confirmed, or made of branches that are clicked in the 3D view. The 3D view draws each territory's branches in the colour
+// beside its row. Called estimates throughout.
 
 #include <QGroupBox>
 
@@ -8,6 +9,7 @@
 #include "app/gui/translated.h"
 #include "viewer/model_view.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 class QTreeWidget;
@@ -18,7 +20,7 @@ class TerritoryBox final : public Translated<QGroupBox> {
   Q_OBJECT
  public:
   TerritoryBox(Document& document, TerritoryEstimator& estimator, QWidget* parent = nullptr);
-  /// Where branches are clicked.
+  /// Where branches are drawn and clicked.
   void pointIn(ModelView& view);
 
  signals:
@@ -31,6 +33,7 @@ class TerritoryBox final : public Translated<QGroupBox> {
  private:
   void refresh();
   void refreshButtons();
+  void refreshBranches();
   void refreshNumbers(const TerritoryReport& report);
 
   Document& document_;
@@ -40,6 +43,7 @@ class TerritoryBox final : public Translated<QGroupBox> {
   QPushButton* confirm_;
   QPushButton* pick_;
   QPushButton* propose_;
+  QCheckBox* shown_;
   QTreeWidget* parts_;
   QLabel* perfusion_;
   QLabel* notes_;

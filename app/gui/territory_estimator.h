@@ -28,6 +28,10 @@ class TerritoryEstimator : public QObject {
   [[nodiscard]] const TerritoryReport* report() const { return state_ == State::Current && report_ ? &*report_ : nullptr; }
   /// Left and right as proposed, and not confirmed yet.
   [[nodiscard]] bool isProposal() const { return !choice_.picks.empty() && !choice_.confirmed; }
+  /// What the territories hang on; null unless Following or Current.
+  [[nodiscard]] const VesselGraph* portal() const { return perfusion_ && territories_ ? &perfusion_->portal() : nullptr; }
+  /// Which of its branches stand for which territory.
+  [[nodiscard]] const TerritoryChoice& choice() const { return choice_; }
   [[nodiscard]] bool isPicked() const { return choice_.source == TerritorySource::Picked && !choice_.picks.empty(); }
 
   void estimate();

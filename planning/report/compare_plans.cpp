@@ -26,14 +26,6 @@ double planesOf(const ResectionPlan& plan) {
 
 Value ifDivides(const PlanAssessment& a, double value) { return a.divides ? Value(value) : Value(); }
 
-double cutAreaOf(const PlanAssessment& a) {
-  double area = 0;
-  for (const ResectionVolume& resection : a.resections) {
-    area += resection.cutAreaMm2;
-  }
-  return area;
-}
-
 double tumoursOf(const PlanAssessment& a, TumourState state) {
   return static_cast<double>(
       std::count_if(a.tumours.begin(), a.tumours.end(), [&](const TumourAssessment& t) { return !t.isCyst && t.state == state; }));
@@ -66,7 +58,7 @@ constexpr auto kRows = std::to_array<RowMaker>({
     {"remnantMl", [](const AssessedPlan& p) { return ifDivides(p.assessment, p.assessment.remnantMl); }},
     {"functionalRemnantMl", [](const AssessedPlan& p) { return ifDivides(p.assessment, p.assessment.functionalRemnantMl); }},
     {"flrPercent", [](const AssessedPlan& p) { return ifDivides(p.assessment, p.assessment.flrPercent); }},
-    {"cutAreaMm2", [](const AssessedPlan& p) { return ifDivides(p.assessment, cutAreaOf(p.assessment)); }},
+    {"cutAreaMm2", [](const AssessedPlan& p) { return ifDivides(p.assessment, cutAreaMm2(p.assessment)); }},
     {"tumoursRemoved", [](const AssessedPlan& p) { return Value(tumoursOf(p.assessment, TumourState::Removed)); }},
     {"tumoursCut", [](const AssessedPlan& p) { return Value(tumoursOf(p.assessment, TumourState::Cut)); }},
     {"tumoursLeft", [](const AssessedPlan& p) { return Value(tumoursOf(p.assessment, TumourState::Left)); }},
@@ -191,6 +183,14 @@ struct Difference {
   }
 };
 }  // namespace
+
+double cutAreaMm2(const PlanAssessment& assessment) {
+  double area = 0;
+  for (const ResectionVolume& resection : assessment.resections) {
+    area += resection.cutAreaMm2;
+  }
+  return area;
+}
 
 PlanComparison comparePlans(std::span<const AssessedPlan> plans) {
   if (plans.size() < 2 || plans.size() > 4) {

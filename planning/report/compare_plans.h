@@ -31,6 +31,9 @@ struct PlanComparison {
   std::vector<ComparedRow> rows;
 };
 
+/// Of all resections together.
+double cutAreaMm2(const PlanAssessment& assessment);
+
 /// Rows: resections, planes, safetyMarginMm, resectedMl, remnantMl, functionalRemnantMl, flrPercent, cutAreaMm2, tumoursRemoved,
 /// tumoursCut, tumoursLeft, leastMarginMm (the smallest lower bound among tumours that are removed or cut), vesselsCrossed (of 3 mm
 /// and more). Throws PlanningError with fewer than two or more than four plans.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "planning/territories/branch_owners.h"
 #include "planning/volumetry/nearest_site.h"
 #include "planning/volumetry/side_pieces.h"
 #include "reconstruction/errors.h"
@@ -45,37 +46,6 @@ void dealVoxels(const Mask& liver, LabelOf&& labelOf, std::vector<Territory>& pa
       }
     }
   }
-}
-
-/// The pick of every branch, by its own or the nearest picked branch towards the root; -1 where there is none or it owns nothing.
-std::vector<std::int32_t> picksOfBranches(const VesselGraph& portal, const TerritoryChoice& choice) {
-  std::vector<std::int32_t> picks(portal.branches.size(), -1);
-  for (std::size_t p = 0; p < choice.picks.size(); ++p) {
-    for (const std::int32_t branch : choice.picks[p].branches) {
-      if (branch < 0 || at(branch) >= picks.size()) {
-        throw UsageError(choice.picks[p].name + ": the portal vein has no branch " + std::to_string(branch) + "; it has 0 to " +
-                         std::to_string(static_cast<long long>(picks.size()) - 1) + ".");
-      }
-      if (picks[at(branch)] >= 0) {
-        throw UsageError(choice.picks[p].name + ": branch " + std::to_string(branch) + " is picked twice; name it once.");
-      }
-      picks[at(branch)] = static_cast<std::int32_t>(p);
-    }
-  }
-  std::vector<std::uint8_t> owns(choice.picks.size(), 0);
-  for (std::size_t b = 0; b < picks.size(); ++b) {
-    const VesselBranch& branch = portal.branches[b];
-    picks[b] = picks[b] < 0 && branch.parent >= 0 ? picks[at(branch.parent)] : picks[b];
-    if (picks[b] >= 0 && branch.role == BranchRole::Supplying) {
-      owns[at(picks[b])] = 1;
-    }
-  }
-  for (std::size_t p = 0; p < owns.size(); ++p) {
-    if (owns[p] == 0) {
-      throw UsageError(choice.picks[p].name + " owns nothing of the liver; pick a branch that supplies it.");
-    }
-  }
-  return picks;
 }
 
 /// Sides as of VesselGraph::sidesOf, without those that own nothing.
@@ -165,17 +135,14 @@ Territories territoriesOf(const LiverVoxels& liver, const VesselGraph& portal, c
   if (choice.picks.empty()) {
     throw UsageError("No branch of the portal vein is picked; pick branches, or give a map of segments 1 to 8.");
   }
-  const std::vector<std::int32_t> picks = picksOfBranches(portal, choice);
+  const std::vector<std::int32_t> owners = ownersOfBranches(portal, choice);
   std::vector<Index3> sites;
   std::vector<std::size_t> labels;
   IndexBox box = liver.liver.box();
-  const bool othersCompete = choice.source != TerritorySource::Proposal;
-  const std::size_t notPicked = choice.picks.size();
   for (const VesselSite& site : portal.sites) {
-    const bool picked = picks[at(site.branch)] >= 0;
-    if ((picked || othersCompete) && portal.branches[at(site.branch)].role == BranchRole::Supplying) {
+    if (const std::int32_t owner = owners[at(site.branch)]; owner != kOwnsNothing) {
       sites.push_back(site.voxel);
-      labels.push_back(picked ? at(picks[at(site.branch)]) : notPicked);
+      labels.push_back(at(owner));
       box = enclosing(box, {site.voxel, {1, 1, 1}});
     }
   }
