@@ -158,6 +158,9 @@ FramePlan ModelView::Impl::planFrame(FrameQuality quality) {
     }
     actors->setDetail(detail);
   }
+  if (quality == FrameQuality::Report && frame.moreToUpload) {
+    frame.peels = frame.smoothEdges = false;  // nobody sees it
+  }
   return frame;
 }
 

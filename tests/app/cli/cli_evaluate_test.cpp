@@ -305,8 +305,11 @@ TEST_F(CliEvaluate, RefusesAnEmptyLabel) {
 TEST_F(CliEvaluate, AMeshIsNotMeasuredAgainstALabelWithoutASurface) {
   const TemporaryFolder folder;
   std::ofstream(folder / "mesh.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-  const Keys speck{"measure", folder / "mesh.obj", "--reference", labels(), "--labels", "1=tumour,2=cyst", "--label", "2"};
-  expectRefusal(cli(speck), 3, "labels.mha, label 2: there is no surface to measure errors from");
+  fs::create_directory(folder / "masks");
+  writeLabels(fs::path(folder / "masks") / "liver.mha", {4, 4, 4}, std::string(64, '\1'));
+  writeLabels(fs::path(folder / "masks") / "tumour.mha", {4, 4, 4}, std::string(64, '\0'));
+  const Keys empty{"measure", folder / "mesh.obj", "--reference", folder / "masks", "--structure", "tumour"};
+  expectRefusal(cli(empty), 3, "there is no surface to measure errors from");
 }
 
 TEST(CliEvaluateInterrupt, KeepsWhatIsDoneAndWritesNoTables) {
