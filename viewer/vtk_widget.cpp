@@ -179,6 +179,9 @@ std::optional<QImage> VtkWidget::reportPicture() {
     grabFramebuffer();  // OpenGL starts in a turn of its own
     return isValid() ? std::nullopt : std::optional(QImage());
   }
+  if (!isValid()) {
+    return QImage();
+  }
   Scene& s = *scene_;
   if (s.drawn.isEmpty()) {
     static_cast<void>(frameOf(FrameQuality::Moving));  // the programs without depth peeling are compiled in a turn of their own

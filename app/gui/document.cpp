@@ -33,6 +33,10 @@ Document::Document(JobRunner& jobs, std::filesystem::path recoveryFolder, QObjec
 Document::~Document() { leave(); }
 
 void Document::leave() {
+  if (beforeDrag_) {  // of the case that goes
+    beforeDrag_.reset();
+    emit dragCancelled();
+  }
   // a case that was only looked at leaves nothing behind; its data can be opened again
   const bool untouched = open_ && recovery_ && fresh_ && undo_.count() == 0;
   store_.close(untouched ? path_ : std::filesystem::path());
@@ -60,7 +64,6 @@ void Document::open(Case content, std::shared_ptr<CaseFile> file) {
   noCt_.clear();
   chosen_ = {};
   undo_.clear();
-  beforeDrag_.reset();
   assessor_.reset();
   tumourDistance_.reset();
   liverCentre_.reset();

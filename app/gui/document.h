@@ -110,6 +110,7 @@ class Document : public QObject {
   void beginDrag();
   void dragTo(const ResectionPlane& plane);
   void endDrag(const ResectionPlane& plane);
+  void cancelDrag();
   [[nodiscard]] bool isDragging() const { return beforeDrag_.has_value(); }
   /// How long all numbers may take for an edit to bring them at once; with 0 a job always brings what is no volume.
   void setFrameBudgetMs(double ms) { frameBudgetMs_ = ms; }
@@ -159,7 +160,6 @@ class Document : public QObject {
   friend class TerritoriesCommand;
   friend class StructuresCommand;
   void leave();
-  void cancelDrag();
   /// A case whose file must not be written goes on in the recovery folder from its first edit on: no edit is in memory alone.
   void leaveReadOnlyFile();
   [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const ResectionPlane& plane) const;

@@ -61,12 +61,14 @@ void PlanePlacer::addAsSeen(bool ownResection) {
 }
 
 void PlanePlacer::moveBy(double mm) {
+  document_.cancelDrag();  // the step begins where the plane is back
   if (const std::optional<HalfSpace> plane = document_.plane()) {
     document_.movePlane(movedAlongNormal(*plane, mm));
   }
 }
 
 void PlanePlacer::tilt(double aboutUp, double aboutRight) {
+  document_.cancelDrag();
   const std::optional<HalfSpace> plane = document_.plane();
   if (!plane) {
     return;

@@ -48,6 +48,9 @@ void ScreenshotTaker::proceed() {
     return;
   }
   choosePlan();
+  if (finished_) {
+    return;
+  }
   if (std::exchange(what_.placePlane, false) && !document.plane()) {
     window_.placer().placeAsSeen();
   }

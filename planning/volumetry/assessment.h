@@ -40,7 +40,7 @@ struct VesselCrossing {
   Vec3 positionMm = Vec3::Zero();
   /// Of the circle with the crossing's area, corrected for obliquity where known; not below the vessel's own calibre there.
   double diameterMm = 0;
-  bool runsAlong = false;  ///< the vessel runs along the cut rather than through it (kAlongCosine)
+  bool runsAlong = false;  ///< along the cut rather than through it (kAlongCosine), or grazed by it
 };
 
 /// |cos| of the angle between the vessel's direction and the cut's normal below which the vessel runs along the cut: 20 degrees.

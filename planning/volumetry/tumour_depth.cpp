@@ -184,6 +184,107 @@ double mostDepth(const Vec3& p, const std::vector<ImageResection>& plan, bool fi
   return most;
 }
 
+/// The greatest depth of a box under several half-spaces, exactly: the least of linear functions is greatest at a corner, or where
+/// two of them are equal on an edge, three on a face, four inside.
+class HalfSpaceDepth {
+ public:
+  explicit HalfSpaceDepth(std::vector<ImagePlane> planes) : planes_(std::move(planes)) {}
+
+  void keep(const Box& box) {
+    if (!mayBeDeeper(box)) {
+      return;
+    }
+    std::array<std::size_t, 4> chosen{};
+    choose(box, chosen, 0, 0);
+  }
+  [[nodiscard]] double greatest() const { return greatest_; }
+  [[nodiscard]] const Vec3& along() const { return along_; }
+
+ private:
+  [[nodiscard]] static double outside(const ImagePlane& plane, const Vec3& p) { return -plane.distance(p); }
+
+  [[nodiscard]] bool mayBeDeeper(const Box& box) const {
+    return std::ranges::all_of(planes_, [&](const ImagePlane& plane) {
+      return outside(plane, box.centre) + plane.normal.cwiseAbs().dot(box.half) > greatest_;
+    });
+  }
+
+  /// All sets of one to four planes from the `from`-th on, and all edges and faces they may be equal on.
+  void choose(const Box& box, std::array<std::size_t, 4>& chosen, std::size_t count, std::size_t from) {
+    for (std::size_t n = from; n < planes_.size() && count < chosen.size(); ++n) {
+      chosen[count] = n;
+      meet(box, std::span(chosen).first(count + 1));
+      choose(box, chosen, count + 1, n + 1);
+    }
+  }
+
+  /// The planes of `equal` have one distance there; one coordinate less than planes is free, the others lie on the box's sides.
+  void meet(const Box& box, std::span<const std::size_t> equal) {
+    const std::size_t freeAxes = equal.size() - 1;
+    for (unsigned mask = 0; mask < 8; ++mask) {
+      if (static_cast<std::size_t>(std::popcount(mask)) != freeAxes) {
+        continue;
+      }
+      for (unsigned sides = 0; sides < 8; ++sides) {
+        if ((sides & mask) == 0) {
+          meetAt(box, equal, mask, sides);
+        }
+      }
+    }
+  }
+
+  void meetAt(const Box& box, std::span<const std::size_t> equal, unsigned mask, unsigned sides) {
+    Vec3 p = cornerOf(box, sides);
+    std::array<Eigen::Index, 3> axes{};
+    std::size_t count = 0;
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      if ((mask >> static_cast<unsigned>(a) & 1U) != 0) {
+        axes[count++] = a;
+        p[a] = box.centre[a];
+      }
+    }
+    Mat3 system = Mat3::Identity();
+    Vec3 right = Vec3::Zero();
+    for (std::size_t n = 0; n < count; ++n) {
+      const ImagePlane& one = planes_[equal[0]];
+      const ImagePlane& other = planes_[equal[n + 1]];
+      const auto row = static_cast<Eigen::Index>(n);
+      for (std::size_t m = 0; m < count; ++m) {
+        system(row, static_cast<Eigen::Index>(m)) = one.normal[axes[m]] - other.normal[axes[m]];
+      }
+      right[row] = outside(one, p) - outside(other, p);  // moving p along the free axes takes this away
+    }
+    const double determinant = system.determinant();
+    if (std::abs(determinant) < 1e-12) {
+      return;  // side by side there: what is greatest is met on other sides
+    }
+    const Vec3 move = system.inverse() * right;
+    for (std::size_t n = 0; n < count; ++n) {
+      p[axes[n]] += move[static_cast<Eigen::Index>(n)];
+    }
+    constexpr double kRoundingMm = 1e-9;
+    if (((p - box.centre).cwiseAbs() - box.half).maxCoeff() > kRoundingMm) {
+      return;
+    }
+    double depth = kInfinity;
+    Vec3 along = Vec3::UnitZ();
+    for (const ImagePlane& plane : planes_) {
+      if (outside(plane, p) < depth) {
+        depth = outside(plane, p);
+        along = plane.normal;
+      }
+    }
+    if (depth > greatest_) {
+      greatest_ = depth;
+      along_ = along;
+    }
+  }
+
+  std::vector<ImagePlane> planes_;
+  double greatest_ = 0;
+  Vec3 along_ = Vec3::UnitZ();
+};
+
 /// The greatest depth under several resections: the distance to their union is the least of convex functions and can be greatest
 /// inside a box, between its corners. Each of them is greatest at a corner, so the least of those bounds a box's depth; boxes that
 /// may be deeper than what is known are halved.
@@ -284,6 +385,18 @@ class UnionDepth {
 
 double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan, Vec3& normal) {
   if (std::ranges::count_if(plan, [](const ImageResection& one) { return !one.takesNothing(); }) > 1) {
+    if (std::ranges::all_of(plan, [](const ImageResection& one) { return one.bends.empty() && one.planes.size() <= 1; })) {
+      std::vector<ImagePlane> planes;
+      for (const ImageResection& one : plan) {
+        planes.insert(planes.end(), one.planes.begin(), one.planes.end());
+      }
+      HalfSpaceDepth deepest(std::move(planes));
+      for (const RowRun& run : rows.runs) {
+        deepest.keep(boxOf(run, spacing));
+      }
+      normal = deepest.along();
+      return deepest.greatest();
+    }
     UnionDepth deepest(plan);
     for (const RowRun& run : rows.runs) {
       deepest.keepCorners(boxOf(run, spacing));

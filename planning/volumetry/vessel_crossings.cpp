@@ -128,6 +128,7 @@ std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::st
     crossing.normal += area * pieces[n].normal;
     keepDeepest(spanOf(polygon), rows.runs[pieces[n].run], spacing[0], balls, crossing);
   }
+  constexpr double kGrazed = 0.5;  // of the calibre: a smaller opening lies in the wall only
   std::vector<VesselCrossing> crossings;
   for (const auto& [first, crossing] : found) {
     if (!(crossing.area > 0)) {
@@ -137,8 +138,9 @@ std::vector<VesselCrossing> vesselCrossings(const std::string& id, const std::st
     const double calibre = balls.calibreAround(crossing.deepest);
     const double radius = std::max(1.5 * std::max(diameterOf(crossing.area), calibre), 3 * spacing.maxCoeff());
     const double cosine = obliquity(rows, spacing, centre, radius, crossing.normal.normalized());
-    const double diameter = std::max(diameterOf(crossing.area * cosine), calibre);
-    crossings.push_back({id, name, geometry.origin + geometry.direction * centre, diameter, cosine < kAlongCosine});
+    const double opened = diameterOf(crossing.area * cosine);
+    const bool runsAlong = cosine < kAlongCosine || opened < kGrazed * calibre;
+    crossings.push_back({id, name, geometry.origin + geometry.direction * centre, std::max(opened, calibre), runsAlong});
   }
   std::stable_sort(crossings.begin(), crossings.end(),
                    [](const VesselCrossing& a, const VesselCrossing& b) { return a.diameterMm > b.diameterMm; });

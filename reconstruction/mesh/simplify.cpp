@@ -91,6 +91,9 @@ void SimplifyTarget::validate() const {
 
 SurfaceMesh simplify(const SurfaceMesh& mesh, const SimplifyTarget& target, const ExecutionContext& context) {
   target.validate();
+  if (mesh.empty()) {
+    return mesh;
+  }
   return target.triangles ? simplifyToCount(mesh, *target.triangles, context)
                           : simplifyToDistance(mesh, *target.distanceMm, context);
 }

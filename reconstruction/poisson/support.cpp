@@ -365,6 +365,9 @@ class Blocks {
 
  private:
   static constexpr int kBlockCells = 16;
+  // Two collapses of one group: the reach of each, a cell of the level below that both touch, and how far the vertices of both
+  // have come in the first round (the half of what a collapse moves would do).
+  static_assert(kRounds == 2 && 2 * (kShort + kLongest) + 2 + 2 * (1.733 + kLongest) < kBlockCells);
   int perSide_;
   std::vector<std::uint32_t> first_;  ///< per block: its first vertex; one more at the end
   std::vector<std::uint32_t> vertices_;

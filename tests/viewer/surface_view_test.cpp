@@ -143,12 +143,15 @@ TEST_F(SurfaceViewTest, LinkedViewsHaveOneCamera) {
   view.setSurfaces(uniform(1.0));
   other.setSurfaces(uniform(0.5));
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.pose() == other.pose(); }));
+  constexpr int kDrawnMs = 600;  // frames that were asked for are drawn, and what they tell has arrived
+  QTest::qWait(kDrawnMs);
   const Pose before = view.pose();
   QTest::keyClick(&view, Qt::Key_7);
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.pose() == other.pose() && !(view.pose() == before); }));
   EXPECT_NEAR(other.camera().forward.z(), -1, 1e-9) << "seen from above";
+  QTest::qWait(kDrawnMs);
   QTest::keyClick(&other, Qt::Key_3);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view.pose() == other.pose(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.pose() == other.pose() && view.camera().forward.x() < -0.5; }));
   EXPECT_NEAR(view.camera().forward.x(), -1, 1e-9) << "and back again";
 }
 

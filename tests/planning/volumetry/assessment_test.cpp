@@ -262,7 +262,7 @@ TEST(Json, HasTheKeysOfTheContract) {
   EXPECT_EQ(keys(json), (Names{"totalMl", "tumourMl", "functionalMl", "resectedMl", "remnantMl", "volumeUncertaintyMl",
                                "functionalRemnantMl", "flrPercent", "resections", "islands", "tumours", "vesselsCrossed"}));
   EXPECT_EQ(keys(json["resections"][0]), (Names{"name", "volumeMl", "cutAreaMm2"}));
-  EXPECT_EQ(keys(json["tumours"][0]), (Names{"name", "state", "marginMm", "marginAtLeastMm", "distanceMm"}));
+  EXPECT_EQ(keys(json["tumours"][0]), (Names{"name", "kind", "state", "marginMm", "marginAtLeastMm", "distanceMm"}));
   EXPECT_EQ(keys(json["vesselsCrossed"][0]), (Names{"name", "positionMm", "diameterMm", "runsAlongCut"}));
   EXPECT_EQ(json["totalMl"].get<double>(), r.totalMl);
   EXPECT_EQ(json["tumours"][0]["state"], "removed");
