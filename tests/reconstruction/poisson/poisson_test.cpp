@@ -277,7 +277,7 @@ TEST(Poisson, AfterAnExceptionTheNextRunIsAsEver) {
   const auto reference = psr(body, geometry, 6).mesh;
   const std::vector<PoissonParameters> sets{{.depth = 5}, {.depth = 6}};
   EXPECT_THROW(reconstructPoissonEach(body, geometry, sets,
-                                      [](std::size_t, PoissonResult, const ExecutionContext&) { throw std::bad_alloc(); }),
+                                      [](std::size_t, const PoissonResult&, const ExecutionContext&) { throw std::bad_alloc(); }),
                std::bad_alloc);
   EXPECT_TRUE(psr(body, geometry, 6).mesh.vertices == reference.vertices);
 }
