@@ -28,8 +28,11 @@ class PaddedMask {
       size_[a] = mask.box().size[a] + 2 * kPad;
       first_[a] = mask.box().first[a] - kPad;
     }
-    values_.resize(IndexBox{first_, size_}.voxelCount() + kEight + 1);  // the last voxels are read in eights too
-    std::fill(values_.end() - kEight - 1, values_.end(), std::uint8_t{0});
+    // Gradients of eight voxels are found at once, and those of the voxels after them, wherever one of them is wanted: they read a
+    // slice, a row and some voxels beyond the last ones.
+    const std::size_t beyond = offset(kEight + 1, 1, 1);
+    values_.resize(IndexBox{first_, size_}.voxelCount() + beyond);
+    std::fill(values_.end() - static_cast<std::ptrdiff_t>(beyond), values_.end(), std::uint8_t{0});
     const auto source = mask.values();
     const Index3& inner = mask.box().size;
     const auto row = static_cast<std::size_t>(inner[0]);
