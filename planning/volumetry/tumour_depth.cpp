@@ -3,10 +3,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace glisson {
 

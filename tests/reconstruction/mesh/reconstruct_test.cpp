@@ -51,6 +51,18 @@ bool anyContains(const std::vector<std::string>& texts, std::string_view part) {
   return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
 
+/// Voxels set by chance, `percent` of them.
+Body noiseOf(const Index3& size, unsigned percent, std::mt19937& random) {
+  Body noise;
+  noise.geometry.size = size;
+  std::vector<std::uint8_t> values(noise.geometry.voxelCount());
+  for (auto& v : values) {
+    v = random() % 100 < percent ? 1 : 0;
+  }
+  noise.mask = Mask::fromGrid(size, values);
+  return noise;
+}
+
 ReconstructionParameters mcsd(int smoothing, double decimation, SmoothingFilter filter = SmoothingFilter::Sinc) {
   ReconstructionParameters parameters;
   parameters.method = Method::Mcsd;
@@ -210,13 +222,7 @@ TEST(Reconstruct, ASimplifiedSurfaceIsJudgedByItsOwnCrossings) {
   std::mt19937 random(3);
   std::size_t crossedBefore = 0;
   for (int trial = 0; trial < 12; ++trial) {
-    const Index3 size{14, 13, 12};
-    std::vector<std::uint8_t> values(14 * 13 * 12);
-    for (auto& v : values) {
-      v = random() % 100 < 12 ? 1 : 0;
-    }
-    Body noise{Mask::fromGrid(size, values), {}};
-    noise.geometry.size = size;
+    const Body noise = noiseOf({14, 13, 12}, 12, random);
     ReconstructionParameters parameters = mcsd(45, 0.5, SmoothingFilter::Laplacian);
     const Reconstruction plain = reconstruct(noise.mask, noise.geometry, StructureKind::Tumour, parameters);
     crossedBefore += plain.defects.selfIntersections > 0 ? 1 : 0;
@@ -232,13 +238,7 @@ TEST(Reconstruct, ASimplifiedSurfaceIsJudgedByItsOwnCrossings) {
 
 TEST(Reconstruct, ASetThatCannotBeSimplifiedIsNotedAndTheOthersGoOn) {
   std::mt19937 random(2016);
-  const Index3 size{10, 9, 11};
-  std::vector<std::uint8_t> values(990);
-  for (auto& v : values) {
-    v = random() % 100 < 25 ? 1 : 0;
-  }
-  Body noise{Mask::fromGrid(size, values), {}};
-  noise.geometry.size = size;
+  const Body noise = noiseOf({10, 9, 11}, 25, random);
   std::vector<ReconstructionParameters> sets{mcsd(0, 0.9), ReconstructionParameters()};
   for (auto& set : sets) {
     set.simplify = SimplifyTarget{.triangles = 300};
@@ -254,13 +254,7 @@ TEST(Reconstruct, ASetThatCannotBeSimplifiedIsNotedAndTheOthersGoOn) {
 TEST(Reconstruct, AClosedSurfaceWithEdgesThatAreNotManifoldIsComparedWithTheMaskToo) {
   // Decimation leaves edges with four triangles: an inside there is all the same.
   std::mt19937 random(2016);
-  const Index3 size{10, 9, 11};
-  std::vector<std::uint8_t> values(990);
-  for (auto& v : values) {
-    v = random() % 100 < 25 ? 1 : 0;
-  }
-  Body noise{Mask::fromGrid(size, values), {}};
-  noise.geometry.size = size;
+  const Body noise = noiseOf({10, 9, 11}, 25, random);
   const Reconstruction made = reconstruct(noise.mask, noise.geometry, StructureKind::PortalVein, mcsd(0, 0.9));
   ASSERT_GT(made.defects.nonManifoldEdges, 0U);
   ASSERT_EQ(made.defects.openEdges, 0U);
@@ -288,13 +282,7 @@ TEST(Reconstruct, NamesEveryInvariantThatDecimationBreaksAndHowOften) {
   std::size_t manifoldLost = 0;
   std::size_t crossed = 0;
   for (int trial = 0; trial < 20; ++trial) {
-    const Index3 size{10, 9, 11};
-    std::vector<std::uint8_t> values(990);
-    for (auto& v : values) {
-      v = random() % 100 < 25 ? 1 : 0;
-    }
-    Body noise{Mask::fromGrid(size, values), {}};
-    noise.geometry.size = size;
+    const Body noise = noiseOf({10, 9, 11}, 25, random);
     for (const int smoothing : {0, 10}) {
       const Reconstruction made = reconstruct(noise.mask, noise.geometry, StructureKind::Tumour, mcsd(smoothing, 0.9));
       // Counted another way: by a map of undirected edges.
