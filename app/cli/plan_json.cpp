@@ -9,17 +9,22 @@ namespace glisson::cli {
 
 namespace {
 using Json = nlohmann::ordered_json;
+
+/// Where plane `p` of the resection stands.
+Json placeJson(const Resection& resection, std::size_t p) {
+  const ResectionPlane& plane = resection.planes[p];
+  return {{"resection", resection.name},
+          {"plane", p + 1},
+          {"originMm", {plane.origin[0], plane.origin[1], plane.origin[2]}},
+          {"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}}};
+}
 }  // namespace
 
 nlohmann::ordered_json planesJson(const ResectionPlan& plan) {
   Json json = Json::array();
   for (const Resection& resection : plan.resections) {
     for (std::size_t p = 0; p < resection.planes.size(); ++p) {
-      const ResectionPlane& plane = resection.planes[p];
-      json.push_back({{"resection", resection.name},
-                      {"plane", p + 1},
-                      {"originMm", {plane.origin[0], plane.origin[1], plane.origin[2]}},
-                      {"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}}});
+      json.push_back(placeJson(resection, p));
     }
   }
   return json;
@@ -33,15 +38,13 @@ nlohmann::ordered_json bendsJson(const ResectionPlan& plan) {
       if (plane.bend) {
         const Vec3& u = plane.bend->u;
         const Vec3 v = plane.normal.cross(u);
-        json.push_back({{"resection", resection.name},
-                        {"plane", p + 1},
-                        {"originMm", {plane.origin[0], plane.origin[1], plane.origin[2]}},
-                        {"normal", {plane.normal[0], plane.normal[1], plane.normal[2]}},
-                        {"u", {u[0], u[1], u[2]}},
-                        {"v", {v[0], v[1], v[2]}},
-                        {"halfSizeMm", plane.bend->halfSizeMm},
-                        {"order", kBendOrder},
-                        {"heightsMm", plane.bend->heightsMm}});
+        Json bend = placeJson(resection, p);
+        bend["u"] = {u[0], u[1], u[2]};
+        bend["v"] = {v[0], v[1], v[2]};
+        bend["halfSizeMm"] = plane.bend->halfSizeMm;
+        bend["order"] = kBendOrder;
+        bend["heightsMm"] = plane.bend->heightsMm;
+        json.push_back(std::move(bend));
       }
     }
   }

@@ -33,10 +33,7 @@ Document::Document(JobRunner& jobs, std::filesystem::path recoveryFolder, QObjec
 Document::~Document() { leave(); }
 
 void Document::leave() {
-  if (beforeDrag_) {  // of the case that goes
-    beforeDrag_.reset();
-    emit dragCancelled();
-  }
+  forgetDrag();
   // a case that was only looked at leaves nothing behind; its data can be opened again
   const bool untouched = open_ && recovery_ && fresh_ && undo_.count() == 0;
   store_.close(untouched ? path_ : std::filesystem::path());

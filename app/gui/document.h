@@ -160,6 +160,8 @@ class Document : public QObject {
   friend class TerritoriesCommand;
   friend class StructuresCommand;
   void leave();
+  /// Whoever drags lets go; the plans stay as they are.
+  void forgetDrag();
   /// A case whose file must not be written goes on in the recovery folder from its first edit on: no edit is in memory alone.
   void leaveReadOnlyFile();
   [[nodiscard]] std::vector<ResectionPlan> plansWithPlane(const ResectionPlane& plane) const;

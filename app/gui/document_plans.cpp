@@ -194,20 +194,23 @@ void Document::endDrag(const ResectionPlane& plane) {
 void Document::cancelDrag() {
   if (beforeDrag_) {
     case_.plans = std::move(*beforeDrag_);
-    beforeDrag_.reset();
-    emit dragCancelled();
+    forgetDrag();
     emit planChanged();
     assessInFrame();
     assessAll();
   }
 }
 
-void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name) {
-  leaveReadOnlyFile();
-  if (beforeDrag_) {  // undone or done again
+void Document::forgetDrag() {
+  if (beforeDrag_) {
     beforeDrag_.reset();
     emit dragCancelled();
   }
+}
+
+void Document::setPlans(std::vector<ResectionPlan> plans, const ChosenPlane& chosen, const QString& name) {
+  leaveReadOnlyFile();
+  forgetDrag();  // undone or done again
   case_.plans = std::move(plans);
   chosen_ = existing(case_.plans, chosen);
   store_.storePlans(case_.plans, name);
