@@ -3,6 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <numeric>
 #include <span>
 
@@ -35,11 +38,19 @@ unsigned waysNotFaced(const Vec3& normal) {
   return bits;
 }
 
-/// The cells of a level, each with the ways that some triangle in it does not face, and whether it holds a sample.
+/// The cells of a level (4 or more), each with the ways that some triangle in it does not face, and whether it holds a sample.
+/// Those of a block of 16^3 lie in one page: memory that is zero until it is touched, which only the blocks near the surface are.
 class Cells {
  public:
   Cells(int level, const Vec3& corner, double cellMm)
-      : level_(level), corner_(corner), perMm_(1.0 / cellMm), bits_(std::size_t{1} << (3 * level), 0) {}
+      : level_(level),
+        corner_(corner),
+        perMm_(1.0 / cellMm),
+        bits_(static_cast<std::uint8_t*>(std::calloc(std::size_t{1} << (3 * level), 1))) {
+    if (bits_ == nullptr) {
+      throw std::bad_alloc();
+    }
+  }
 
   [[nodiscard]] Coord of(const Vec3& position) const {
     Coord cell{};
@@ -67,8 +78,12 @@ class Cells {
 
  private:
   [[nodiscard]] std::size_t index(const Coord& c) const {
-    return static_cast<std::size_t>(c[0]) + (static_cast<std::size_t>(c[1]) << level_) +
-           (static_cast<std::size_t>(c[2]) << (2 * level_));
+    constexpr unsigned kInBlock = (1U << kBlockBits) - 1;
+    const auto joined = [&](unsigned mask, int down, int bits) {  // three coordinates of some bits each as one number
+      const auto part = [&](int value) { return static_cast<std::size_t>((static_cast<unsigned>(value) >> down) & mask); };
+      return part(c[0]) | part(c[1]) << bits | part(c[2]) << (2 * bits);
+    };
+    return joined(~0U, kBlockBits, level_ - kBlockBits) << (3 * kBlockBits) | joined(kInBlock, 0, kBlockBits);
   }
   template <typename Visit>
   void forEachIn(const Box& box, Visit&& visit) {
@@ -83,10 +98,15 @@ class Cells {
     }
   }
 
+  static constexpr int kBlockBits = 4;
+  struct Free {
+    void operator()(std::uint8_t* memory) const { std::free(memory); }
+  };
+
   int level_;
   Vec3 corner_;
   double perMm_;
-  std::vector<std::uint8_t> bits_;
+  std::unique_ptr<std::uint8_t[], Free> bits_;
 };
 
 bool isGone(const Triangle& t) { return t[0] == t[1]; }
