@@ -183,6 +183,13 @@ class Coarsener {
   }
 
  private:
+  /// What stays of a triangle whose corner `own` moves.
+  struct Side {
+    std::uint32_t from;
+    std::uint32_t to;
+    std::uint32_t own;
+  };
+
   template <typename Visit>
   void forEachTriangleAt(std::uint32_t v, Visit&& visit) const {
     for (std::uint32_t n = around_.first[v]; n < around_.first[v + 1]; ++n) {
@@ -207,19 +214,15 @@ class Coarsener {
     std::ranges::sort(near_);
   }
 
-  /// Triangles with both ends go, those with one are changed: the sides that they keep are the ring.
-  void findStar(std::uint32_t kept, std::uint32_t merged) {
-    changed_.clear();
+  /// Triangles with both ends go, those with one get a new corner: the sides that they keep are the ring.
+  void findRing(std::uint32_t kept, std::uint32_t merged) {
     ring_.clear();
-    box_.setEmpty();
-    const auto look = [&](std::uint32_t from, std::uint32_t other) {
-      forEachTriangleAt(from, [&](std::uint32_t n) {
+    const auto look = [&](std::uint32_t own, std::uint32_t other) {
+      forEachTriangleAt(own, [&](std::uint32_t n) {
         const Triangle& t = mesh_.triangles[n];
-        std::ranges::for_each(t, [&](std::uint32_t corner) { box_.extend(mesh_.vertices[corner]); });
         if (placeIn(t, other) == 3) {
-          const std::size_t at = placeIn(t, from);
-          changed_.push_back(n);
-          ring_.push_back({t[(at + 1) % 3], t[(at + 2) % 3]});
+          const std::size_t at = placeIn(t, own);
+          ring_.push_back({.from = t[(at + 1) % 3], .to = t[(at + 2) % 3], .own = own});
         }
       });
     };
@@ -232,24 +235,25 @@ class Coarsener {
     if (ring_.size() < 3) {
       return false;
     }
-    std::uint32_t at = ring_[0][0];
+    std::uint32_t at = ring_[0].from;
     std::size_t steps = 0;
     do {
-      const auto next = std::ranges::find(ring_, at, [](const auto& side) { return side[0]; });
+      const auto next = std::ranges::find(ring_, at, &Side::from);
       if (next == ring_.end()) {
         return false;
       }
-      at = (*next)[1];
+      at = next->to;
       ++steps;
-    } while (at != ring_[0][0] && steps < ring_.size());
-    return at == ring_[0][0] && steps == ring_.size();
+    } while (at != ring_[0].from && steps < ring_.size());
+    return at == ring_[0].from && steps == ring_.size();
   }
 
   /// Twice the area vector of the ring.
   [[nodiscard]] Vec3 areaOfRing() const {
     Vec3 sum = Vec3::Zero();
-    for (const auto& [b, c] : ring_) {
-      sum += (mesh_.vertices[b] - mesh_.vertices[ring_[0][0]]).cross(mesh_.vertices[c] - mesh_.vertices[ring_[0][0]]);
+    for (const Side& side : ring_) {
+      sum += (mesh_.vertices[side.from] - mesh_.vertices[ring_[0].from])
+                 .cross(mesh_.vertices[side.to] - mesh_.vertices[ring_[0].from]);
     }
     return sum;
   }
@@ -258,34 +262,40 @@ class Coarsener {
   [[nodiscard]] Vec3 placeOf(std::uint32_t kept, std::uint32_t merged, const Vec3& area) const {
     const Vec3 middle = 0.5 * (mesh_.vertices[kept] + mesh_.vertices[merged]);
     double before = 0;  // six times the volume between the triangles and the middle
-    for (std::size_t n = 0; n < ring_.size(); ++n) {
-      const Triangle& t = mesh_.triangles[changed_[n]];
-      const Vec3& own = mesh_.vertices[placeIn(t, kept) < 3 ? kept : merged];
-      before += (own - middle).dot((mesh_.vertices[ring_[n][0]] - middle).cross(mesh_.vertices[ring_[n][1]] - middle));
+    for (const Side& side : ring_) {
+      before +=
+          (mesh_.vertices[side.own] - middle).dot((mesh_.vertices[side.from] - middle).cross(mesh_.vertices[side.to] - middle));
     }
     return middle + area * (before / area.squaredNorm());  // the triangles that go hold the middle: no volume
   }
 
   [[nodiscard]] bool isWellShaped(const Vec3& place, const Vec3& area) const {
-    return std::ranges::all_of(ring_, [&](const auto& side) {
-      const Vec3 u = mesh_.vertices[side[0]] - place;
-      const Vec3 v = mesh_.vertices[side[1]] - place;
+    const double most = kLongest * around_.cellMm * kLongest * around_.cellMm;
+    const double least = kTurn * kTurn * area.squaredNorm();
+    return std::ranges::all_of(ring_, [&](const Side& side) {
+      const Vec3 u = mesh_.vertices[side.from] - place;
+      if (!(u.squaredNorm() < most)) {
+        return false;
+      }
+      const Vec3 v = mesh_.vertices[side.to] - place;
       const Vec3 normal = u.cross(v);
       const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-      const double most = kLongest * around_.cellMm;
-      return u.squaredNorm() < most * most && normal.norm() > kNeedle * longest &&
-             normal.dot(area) > kTurn * normal.norm() * area.norm();
+      const double turn = normal.dot(area);
+      return normal.squaredNorm() > kNeedle * kNeedle * longest * longest && turn > 0 && turn * turn > least * normal.squaredNorm();
     });
   }
 
   /// All that is near faces one way along an axis, the new triangles too. A line that way then meets the surface once, since it
   /// would have to enter the body again in between; and the new triangles lie where the old ones did as seen along it.
-  [[nodiscard]] bool staysGraph(const Vec3& place) {
-    unsigned notFaced = around_.cells.in(box_);
-    for (const auto& [b, c] : ring_) {
-      notFaced |= waysNotFaced((mesh_.vertices[b] - place).cross(mesh_.vertices[c] - place));
+  [[nodiscard]] bool staysGraph(std::uint32_t kept, std::uint32_t merged, const Vec3& place) {
+    Box box(place);
+    box.extend(mesh_.vertices[kept]).extend(mesh_.vertices[merged]);
+    unsigned notFaced = 0;
+    for (const Side& side : ring_) {
+      box.extend(mesh_.vertices[side.from]);
+      notFaced |= waysNotFaced((mesh_.vertices[side.from] - place).cross(mesh_.vertices[side.to] - place));
     }
-    return (notFaced & kWays) != kWays;
+    return ((notFaced | around_.cells.in(box)) & kWays) != kWays;
   }
 
   void collapseOneOf(std::uint32_t v) {
@@ -298,14 +308,10 @@ class Coarsener {
 
   /// Merges two ends of an edge; false where that must not be.
   bool collapse(std::uint32_t kept, std::uint32_t merged) {
-    findStar(kept, merged);
-    if (!ringIsSimple()) {
-      return false;
-    }
+    findRing(kept, merged);
     const Vec3 area = areaOfRing();
     const Vec3 place = placeOf(kept, merged, area);
-    box_.extend(place);
-    if (!isWellShaped(place, area) || !staysGraph(place)) {
+    if (!isWellShaped(place, area) || !ringIsSimple() || !staysGraph(kept, merged, place)) {  // what fails most first
       return false;
     }
     forEachTriangleAt(merged, [&](std::uint32_t n) {
@@ -319,8 +325,8 @@ class Coarsener {
     mesh_.vertices[kept] = place;
     around_.done[kept] = around_.done[merged] = 1;
     around_.free[merged] = 0;
-    for (const auto& [b, c] : ring_) {
-      around_.addToCells(place, mesh_.vertices[b], mesh_.vertices[c]);
+    for (const Side& side : ring_) {
+      around_.addToCells(place, mesh_.vertices[side.from], mesh_.vertices[side.to]);
     }
     return true;
   }
@@ -328,10 +334,7 @@ class Coarsener {
   Surroundings& around_;
   SurfaceMesh& mesh_;
   std::vector<std::pair<double, std::uint32_t>> near_;  ///< of the vertex that is looked at: length of edge, other end
-  // of the edge that is looked at
-  std::vector<std::uint32_t> changed_;              ///< triangles that get a new corner
-  std::vector<std::array<std::uint32_t, 2>> ring_;  ///< the side of each that stays
-  Box box_;                                         ///< of all its triangles, and of the place they get
+  std::vector<Side> ring_;                              ///< of the edge that is looked at
 };
 
 /// The free vertices by block of kBlockCells cells of the finest level, in eight groups of blocks: blocks of one group lie a block
