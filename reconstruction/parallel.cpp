@@ -1,5 +1,7 @@
 #include "reconstruction/parallel.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <atomic>
 
@@ -14,11 +16,22 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
 #endif
 
 namespace glisson {
 
+namespace {
+/// A tenth of the share of a thread of the window, where both want the processor.
+constexpr int kBackgroundNiceness = 10;
+
+/// On Linux a thread has a niceness of its own, and the threads it starts inherit it.
+void giveWay() { setpriority(PRIO_PROCESS, 0, std::max(kBackgroundNiceness, getpriority(PRIO_PROCESS, 0))); }
+}  // namespace
+
 #ifdef GLISSON_STD_THREADS
+
+struct BackgroundWork::Impl {};
 
 namespace {
 std::atomic<int>& threadLimit() {
@@ -85,6 +98,13 @@ std::atomic<tbb::task_arena*>& limitedArena() {
 }
 }  // namespace
 
+/// oneTBB's workers serve any thread: those of the calling one are told when they come.
+struct BackgroundWork::Impl : tbb::task_scheduler_observer {
+  Impl() { observe(true); }
+  ~Impl() override { observe(false); }
+  void on_scheduler_entry(bool /*isWorker*/) override { giveWay(); }
+};
+
 /// An arena of its own: the usual one has no more places than the machine has cores, whatever the control allows.
 struct ThreadLimit::Impl {
   explicit Impl(int threads)
@@ -119,5 +139,9 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
 }
 
 #endif
+
+BackgroundWork::BackgroundWork() : impl_((giveWay(), std::make_unique<Impl>())) {}
+
+BackgroundWork::~BackgroundWork() = default;
 
 }  // namespace glisson

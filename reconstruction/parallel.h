@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace glisson {
 
@@ -19,6 +20,21 @@ class ThreadLimit {
  private:
   struct Impl;
   Impl* impl_;
+};
+
+/// From now on the calling thread takes the processor only where no thread of usual priority wants it, and so do, while this lives,
+/// the threads that help it in parallelFor: the window answers while they work. A thread that gave way once keeps doing so, since
+/// Linux lets no process take that back. Make and destroy it on one thread.
+class BackgroundWork {
+ public:
+  BackgroundWork();
+  ~BackgroundWork();
+  BackgroundWork(const BackgroundWork&) = delete;
+  BackgroundWork& operator=(const BackgroundWork&) = delete;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Calls body(begin, end) for disjoint pieces of [0, count), each at most grain long, on several threads. The first exception

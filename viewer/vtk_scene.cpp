@@ -41,6 +41,13 @@ void VtkWidget::Scene::use(const FramePlan& plan) {
   renderer->SetUseFXAA(frame.smoothEdges);
 }
 
+void VtkWidget::Scene::holdNewProps() {
+  if (frame.quality != FrameQuality::Picture && first.hold(std::array<vtkRenderer*, 2>{renderer, overlay}, frame.peels)) {
+    frame.uploads = frame.moreToUpload = true;
+    rest.start(kUploadGapMs);  // FIXME
+  }
+}
+
 Pose VtkWidget::Scene::pose() const {
   vtkCamera* vtk = renderer->GetActiveCamera();
   return {toVec3(vtk->GetPosition()), toVec3(vtk->GetFocalPoint()), toVec3(vtk->GetViewUp())};

@@ -15,6 +15,7 @@
 
 #include "viewer/frame_budget.h"
 #include "viewer/view_camera.h"
+#include "viewer/first_frames.h"
 #include "viewer/vtk_widget.h"
 
 namespace glisson {
@@ -53,7 +54,10 @@ struct VtkWidget::Scene {
   bool resizing = false;              ///< inside Qt's own frame of a resize
   bool due = false;                   ///< what is to be seen has changed since the last frame
   QSize drawn;                        ///< pixels of the last frame; invalid before the first one in this context
+  bool stretches = false;             ///< the last frame has fewer pixels than the view
+  bool hasStretched = false;          ///< one had, in this context
   double area = 0;                    ///< logical pixels of the last resize
+  FirstFrames first;                  ///< what was drawn in this context
   FrameBudget budget;                 ///< what frames have taken so far
   FramePlan frame;                    ///< the frame being drawn
 
@@ -61,6 +65,8 @@ struct VtkWidget::Scene {
   void touch();
   /// Takes this plan for the frame being drawn: depth peeling and smooth edges or not.
   void use(const FramePlan& plan);
+  /// Hides what would make this frame a long one, until first.release(). A picture shows everything.
+  void holdNewProps();
   [[nodiscard]] Pose pose() const;
   /// As if the user had moved the camera there.
   void setPose(const Pose& pose);

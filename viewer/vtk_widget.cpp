@@ -224,6 +224,8 @@ void VtkWidget::releaseGraphics() {
   scene_->window->Finalize();
   scene_->window->SetReadyForRendering(false);
   scene_->started = false;
+  scene_->hasStretched = false;
+  scene_->first.forget();
   scene_->drawn = {};
   doneCurrent();
 }
@@ -272,6 +274,15 @@ void VtkWidget::paintGL() {
     s.beforeFrame(quality);
   }
   const double scale = s.frame.scale;
+  if (scale < 1 && !std::exchange(s.hasStretched, true)) {
+    // A software renderer compiles a program for it: in a turn of its own.
+    s.stretches = true;
+    s.drawn -= QSize(1, 1);
+    repeatFrame(pixels);
+    drawSoon();
+    return;
+  }
+  s.stretches = scale < 1;
   s.window->SetDPI(qRound(72 * devicePixelRatioF() * scale));
   vtkOpenGLState* state = s.window->GetState();
   state->Reset();
@@ -280,7 +291,9 @@ void VtkWidget::paintGL() {
   clock.start();
   s.window->SetSize(qRound(pixels.width() * scale), qRound(pixels.height() * scale));
   const WholeView whole(s);
+  s.holdNewProps();
   s.window->Render();
+  s.first.release();
   context()->functions()->glFinish();  // a software renderer works behind our back: what a frame costs is known only now
   const double ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
   s.drawn = QSize(qRound(pixels.width() * scale), qRound(pixels.height() * scale));
@@ -295,10 +308,7 @@ void VtkWidget::paintGL() {
 void VtkWidget::repeatFrame(const QSize& pixels) {
   Scene& s = *scene_;
   if (!s.drawn.isValid()) {
-    const double* colour = s.renderer->GetBackground();
-    QOpenGLFunctions* gl = context()->functions();
-    gl->glClearColor(static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2]), 1);
-    gl->glClear(GL_COLOR_BUFFER_BIT);
+    clearToBackground();
     RedrawQueue::instance().add(this);
     return;
   }
@@ -307,6 +317,13 @@ void VtkWidget::repeatFrame(const QSize& pixels) {
   state->Push();
   copyToWidget(pixels);
   state->Pop();
+}
+
+void VtkWidget::clearToBackground() {
+  const double* colour = scene_->renderer->GetBackground();
+  QOpenGLFunctions* gl = context()->functions();
+  gl->glClearColor(static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2]), 1);
+  gl->glClear(GL_COLOR_BUFFER_BIT);
 }
 
 void VtkWidget::copyToWidget(const QSize& pixels) {
@@ -323,8 +340,19 @@ void VtkWidget::copyToWidget(const QSize& pixels) {
   display->ActivateReadBuffer(0);
   gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
   gl->glDisable(GL_SCISSOR_TEST);
-  gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT,
-                        pixels == size ? GL_NEAREST : GL_LINEAR);
+  if (scene_->stretches) {
+    gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  } else {
+    // The frame of another size is not stretched: the middle stays in the middle, and no program must be compiled for it.
+    if (size != pixels) {
+      clearToBackground();
+    }
+    const QRect from = QRect({}, size) & QRect((size.width() - pixels.width()) / 2, (size.height() - pixels.height()) / 2,
+                                               pixels.width(), pixels.height());
+    const QPoint to((pixels.width() - from.width()) / 2, (pixels.height() - from.height()) / 2);
+    gl->glBlitFramebuffer(from.x(), from.y(), from.x() + from.width(), from.y() + from.height(), to.x(), to.y(),
+                          to.x() + from.width(), to.y() + from.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
   // Qt composes the widget with its alpha; what VTK left there would let the window shine through.
   gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
   gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);

@@ -53,8 +53,9 @@ class VtkWidget : public QOpenGLWidget {
   void connectRenderWindow();
   [[nodiscard]] QSize pixels() const;
   [[nodiscard]] QImage frameOf(FrameQuality quality);
-  /// The last frame, stretched; the background where there is none.
+  /// The last frame; the background where there is none.
   void repeatFrame(const QSize& pixels);
+  void clearToBackground();
   void copyToWidget(const QSize& pixels);
   void placePointer(const QPointF& position, Qt::KeyboardModifiers modifiers, int repeat);
 

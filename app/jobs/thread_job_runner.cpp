@@ -1,13 +1,11 @@
 #include "app/jobs/thread_job_runner.h"
 
-#include <sys/resource.h>
+#include "reconstruction/parallel.h"
 
 namespace glisson {
 
 namespace {
 
-/// A tenth of the share of a thread of the window, where both want the processor.
-constexpr int kBackgroundNiceness = 10;
 constexpr int kReapMs = 1000;
 
 }  // namespace
@@ -46,8 +44,7 @@ void ThreadJobRunner::reap() {
 
 void ThreadJobRunner::launch(JobId id, std::function<void()> work) {
   std::unique_ptr<QThread> thread(QThread::create([run = std::move(work)] {
-    // on Linux a thread has a niceness of its own, and the threads it starts inherit it: the window keeps answering
-    setpriority(PRIO_PROCESS, 0, kBackgroundNiceness);
+    const BackgroundWork background;
     run();
   }));
   connect(

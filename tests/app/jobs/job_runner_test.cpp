@@ -1,6 +1,7 @@
 // Both runners keep the same promises: order, exceptions, cancel, replacement, the limit of heavy jobs.
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -14,6 +15,7 @@
 #include "app/jobs/inline_job_runner.h"
 #include "app/jobs/thread_job_runner.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/parallel.h"
 
 namespace glisson {
 namespace {
@@ -273,6 +275,24 @@ TEST(ThreadJobRunnerTest, TheDestructorCancelsAndWaitsForItsThreads) {
     started.acquire();
   }
   EXPECT_TRUE(ended);
+}
+
+TEST(ThreadJobRunnerTest, ThreadsThatHelpAJobGiveWayToTheWindowLikeItsOwn) {
+  const auto priorities = [] {
+    std::atomic<int> least{100};
+    parallelFor(64, 1, [&](std::size_t, std::size_t) {
+      QThread::msleep(2);  // long enough that the helpers come
+      least = std::min(least.load(), getpriority(PRIO_PROCESS, 0));
+    });
+    return least.load();
+  };
+  priorities();  // the helpers exist, with the priority of this thread
+  ThreadJobRunner runner(1);
+  int background = -20;
+  submitFor<int>(
+      runner, {}, [&](const ExecutionContext&) { return priorities(); }, [&](int least) { background = least; });
+  ASSERT_TRUE(waitIdle(runner));
+  EXPECT_GE(background, 10);
 }
 
 }  // namespace
