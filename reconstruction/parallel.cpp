@@ -22,8 +22,8 @@
 namespace glisson {
 
 namespace {
-/// A tenth of the share of a thread of the window, where both want the processor.
-constexpr int kBackgroundNiceness = 10;
+/// A thirtieth of the share of a thread of the window, where both want the processor: several work at once.
+constexpr int kBackgroundNiceness = 15;
 
 /// On Linux a thread has a niceness of its own, and the threads it starts inherit it.
 void giveWay() { setpriority(PRIO_PROCESS, 0, std::max(kBackgroundNiceness, getpriority(PRIO_PROCESS, 0))); }
