@@ -13,9 +13,9 @@
 #include <functional>
 #include <optional>
 
+#include "viewer/first_frames.h"
 #include "viewer/frame_budget.h"
 #include "viewer/view_camera.h"
-#include "viewer/first_frames.h"
 #include "viewer/vtk_widget.h"
 
 namespace glisson {

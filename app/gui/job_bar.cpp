@@ -68,6 +68,9 @@ JobBar::JobBar(JobRunner& jobs, QWidget* parent)
   line->addSpacing(12);
   line->addWidget(notClinical_);
   news_->setMinimumWidth(1);
+  // as high as with a job's Cancel: the views must not change their size with every job that starts or ends
+  setMinimumHeight(std::max(cancelAll_->sizeHint().height(), waiting_->sizeHint().height()) + line->contentsMargins().top() +
+                   line->contentsMargins().bottom());
   newsEnds_.setSingleShot(true);
   connect(&newsEnds_, &QTimer::timeout, news_, &QLabel::clear);
   connect(waiting_, &QToolButton::clicked, this, &JobBar::openWaitingList);

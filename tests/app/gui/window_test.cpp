@@ -403,7 +403,9 @@ TEST_F(WindowTest, ARunningJobShowsItselfAndItsCancelIsObeyedAtOnce) {
   QSemaphore mayEnd;
   jobs->submit({.title = "Long work", .process = [&](const ExecutionContext&) { mayEnd.acquire(); }});
   auto* bar = find<JobBar>("jobBar");
+  const int idleHeight = bar->minimumHeight();
   ASSERT_TRUE(waitFor([&] { return bar->shownJobs() == 1; }));
+  EXPECT_LE(bar->sizeHint().height(), idleHeight) << "the views change their size with every job";
   click("cancelJob");
   EXPECT_EQ(bar->shownJobs(), 0);
   mayEnd.release();
