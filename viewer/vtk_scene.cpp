@@ -44,7 +44,6 @@ void VtkWidget::Scene::use(const FramePlan& plan) {
 void VtkWidget::Scene::holdNewProps() {
   if (frame.quality != FrameQuality::Picture && first.hold(std::array<vtkRenderer*, 2>{renderer, overlay}, frame.peels)) {
     frame.uploads = frame.moreToUpload = true;
-    rest.start(kUploadGapMs);  // FIXME
   }
 }
 
