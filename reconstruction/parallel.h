@@ -24,7 +24,8 @@ class ThreadLimit {
 
 /// From now on the calling thread takes the processor only where no thread of usual priority wants it, and so do, while this lives,
 /// the threads that help it in parallelFor: the window answers while they work. A thread that gave way once keeps doing so, since
-/// Linux lets no process take that back. Make and destroy it on one thread.
+/// Linux lets no process take that back; a loop of another thread that it helps later waits for it where the processors are taken.
+/// Make and destroy it on one thread.
 class BackgroundWork {
  public:
   BackgroundWork();

@@ -4,7 +4,7 @@
 
 namespace glisson {
 
-bool FirstFrames::hold(std::span<vtkRenderer* const> layers, bool peels) {
+FirstFrames::Held FirstFrames::hold(std::span<vtkRenderer* const> layers, bool peels) {
   std::set<const vtkProp*>& drawn = drawn_[peels ? 1 : 0];
   const std::size_t most = drawn.empty() ? 1 : kNewProps;
   std::size_t added = 0;
@@ -24,7 +24,7 @@ bool FirstFrames::hold(std::span<vtkRenderer* const> layers, bool peels) {
       }
     }
   }
-  return !held_.empty();
+  return {.anyNew = added > 0, .more = !held_.empty()};
 }
 
 void FirstFrames::release() {

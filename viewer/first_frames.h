@@ -16,9 +16,12 @@ class FirstFrames {
  public:
   static constexpr std::size_t kNewProps = 3;  ///< in a frame; in the first of a context one
 
-  /// Hides all but the first of the visible props that were not drawn before, until release(). True where some are
-  /// hidden: another frame is due.
-  bool hold(std::span<vtkRenderer* const> layers, bool peels);
+  struct Held {
+    bool anyNew = false;  ///< something is drawn for the first time: what the frame takes says nothing about the next
+    bool more = false;    ///< something is hidden: another frame is due
+  };
+  /// Hides all but the first of the visible props that were not drawn before, until release().
+  Held hold(std::span<vtkRenderer* const> layers, bool peels);
   void release();
   /// A new context: nothing is drawn yet.
   void forget();

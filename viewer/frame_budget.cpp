@@ -34,8 +34,8 @@ bool FrameBudget::remember(const FramePlan& frame, double ms) {
   if ((!resting && frame.quality != FrameQuality::Moving) || frame.scale < 1.0) {
     return false;
   }
-  if (resting && frame.uploads) {
-    return true;
+  if (frame.uploads) {
+    return resting;
   }
   FrameTime& time = resting ? (frame.peels ? peeled_ : plain_)[static_cast<std::size_t>(frame.detail)] : moving_;
   ++time.frames;

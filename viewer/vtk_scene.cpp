@@ -42,9 +42,12 @@ void VtkWidget::Scene::use(const FramePlan& plan) {
 }
 
 void VtkWidget::Scene::holdNewProps() {
-  if (frame.quality != FrameQuality::Picture && first.hold(std::array<vtkRenderer*, 2>{renderer, overlay}, frame.peels)) {
-    frame.uploads = frame.moreToUpload = true;
+  if (frame.quality == FrameQuality::Picture) {
+    return;
   }
+  const FirstFrames::Held held = first.hold(std::array<vtkRenderer*, 2>{renderer, overlay}, frame.peels);
+  frame.uploads = frame.uploads || held.anyNew;
+  frame.moreToUpload = frame.moreToUpload || held.more;
 }
 
 Pose VtkWidget::Scene::pose() const {

@@ -302,6 +302,8 @@ void VtkWidget::paintGL() {
   s.window->SetSize(pixels.width(), pixels.height());  // the interactor measures the mouse against it
   if (s.budget.remember(s.frame, ms)) {
     s.rest.start(s.frame.moreToUpload ? kUploadGapMs : kRestMs);
+  } else if (s.moving && !s.asked && s.frame.moreToUpload) {
+    RedrawQueue::instance().add(this);  // a hand that pauses in a drag sees all of it
   }
 }
 

@@ -20,7 +20,7 @@ class FirstFramesTest : public testing::Test {
 
   /// How many a frame would draw.
   int shown(bool peels = false) {
-    more = frames.hold(std::array<vtkRenderer*, 2>{model, overlay}, peels);
+    held = frames.hold(std::array<vtkRenderer*, 2>{model, overlay}, peels);
     int count = 0;
     for (const auto& actor : actors) {
       count += actor->GetVisibility();
@@ -33,19 +33,21 @@ class FirstFramesTest : public testing::Test {
   vtkNew<vtkRenderer> overlay;
   std::array<vtkNew<vtkActor>, 9> actors;
   FirstFrames frames;
-  bool more = false;
+  FirstFrames::Held held;
 };
 
 TEST_F(FirstFramesTest, DrawOneThenAFewMoreUntilAllAreDrawn) {
   EXPECT_EQ(shown(), 1);
-  EXPECT_TRUE(more);
+  EXPECT_TRUE(held.more);
   EXPECT_EQ(shown(), 4);
-  EXPECT_TRUE(more);
+  EXPECT_TRUE(held.more);
   EXPECT_EQ(shown(), 7);
-  EXPECT_TRUE(more);
+  EXPECT_TRUE(held.more);
   EXPECT_EQ(shown(), 8);
-  EXPECT_FALSE(more);
+  EXPECT_TRUE(held.anyNew);
+  EXPECT_FALSE(held.more);
   EXPECT_EQ(shown(), 8);
+  EXPECT_FALSE(held.anyNew);
 }
 
 TEST_F(FirstFramesTest, LeaveWhatIsHiddenHiddenAndShowTheRestAgainAfterTheFrame) {
@@ -69,7 +71,7 @@ TEST_F(FirstFramesTest, ANewPropIsDrawnAtOnceBesideThoseDrawnBefore) {
   }
   actors[2]->VisibilityOn();
   EXPECT_EQ(shown(), 9);
-  EXPECT_FALSE(more);
+  EXPECT_FALSE(held.more);
 }
 
 }  // namespace

@@ -32,6 +32,20 @@ auto proportional(double fullMs, TriangleCounts triangles) {
   };
 }
 
+TEST(FrameBudget, WhatMovingFramesTakeToCompileDoesNotHalveTheirResolution) {
+  FrameBudget budget;
+  FramePlan frame = budget.plan(FrameQuality::Moving, kLarge, true);
+  frame.uploads = true;
+  for (int n = 0; n < 5; ++n) {
+    EXPECT_FALSE(budget.remember(frame, 70));
+  }
+  EXPECT_EQ(budget.plan(FrameQuality::Moving, kLarge, true).scale, 1.0);
+  frame.uploads = false;
+  budget.remember(frame, 70);
+  budget.remember(frame, 70);
+  EXPECT_EQ(budget.plan(FrameQuality::Moving, kLarge, true).scale, 0.5);
+}
+
 TEST(FrameBudget, AMovingFrameIsCoarseAndNeverPeels) {
   FrameBudget budget;
   rest(budget, kLarge, proportional(1, kLarge));
