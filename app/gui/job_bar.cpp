@@ -89,7 +89,7 @@ JobBar::JobBar(JobRunner& jobs, QWidget* parent)
     }
   });
   connect(&jobs_, &JobRunner::jobEnded, this, &JobBar::removeRow);
-  retranslateUi();
+  JobBar::retranslateUi();
 }
 
 void JobBar::buildWaitingList() {
