@@ -41,15 +41,12 @@ std::atomic<int>& threadLimit() {
 }  // namespace
 
 struct ThreadLimit::Impl {
+  explicit Impl(int threads) : before(threadLimit().exchange(threads)) {}
+  ~Impl() { threadLimit().store(before); }
   int before;
 };
 
-ThreadLimit::ThreadLimit(int threads) : impl_(new Impl{threadLimit().exchange(threads)}) {}
-
-ThreadLimit::~ThreadLimit() {
-  threadLimit().store(impl_->before);
-  delete impl_;
-}
+ThreadLimit::ThreadLimit(int threads) : impl_(std::make_unique<Impl>(threads)) {}
 
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
   grain = std::max<std::size_t>(grain, 1);
@@ -108,19 +105,15 @@ struct BackgroundWork::Impl : tbb::task_scheduler_observer {
 /// An arena of its own: the usual one has no more places than the machine has cores, whatever the control allows.
 struct ThreadLimit::Impl {
   explicit Impl(int threads)
-      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads) {}
+      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads) {
+    limitedArena().store(&arena);
+  }
+  ~Impl() { limitedArena().store(nullptr); }
   tbb::global_control control;
   tbb::task_arena arena;
 };
 
-ThreadLimit::ThreadLimit(int threads) : impl_(threads > 0 ? new Impl(threads) : nullptr) {
-  limitedArena().store(impl_ != nullptr ? &impl_->arena : nullptr);
-}
-
-ThreadLimit::~ThreadLimit() {
-  limitedArena().store(nullptr);
-  delete impl_;
-}
+ThreadLimit::ThreadLimit(int threads) : impl_(threads > 0 ? std::make_unique<Impl>(threads) : nullptr) {}
 
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
   // Isolated: a thread that waits for this loop takes no piece of a loop around it, which would hold two pieces' memory at once.
@@ -139,6 +132,8 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
 }
 
 #endif
+
+ThreadLimit::~ThreadLimit() = default;
 
 BackgroundWork::BackgroundWork() : impl_((giveWay(), std::make_unique<Impl>())) {}
 

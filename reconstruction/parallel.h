@@ -19,7 +19,7 @@ class ThreadLimit {
 
  private:
   struct Impl;
-  Impl* impl_;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// From now on the calling thread takes the processor only where no thread of usual priority wants it, and so do, while this lives,

@@ -1,22 +1,14 @@
 #include "viewer/model_view.h"
 
 #include <Eigen/Geometry>
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 
 #include "viewer/model_view_impl.h"
 #include "viewer/surface_pick.h"
 
 namespace glisson {
-
-namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-}  // namespace
 
 ModelView::ModelView(QWidget* parent) : VtkWidget(parent), impl_(std::make_unique<Impl>(this)) {
   setObjectName("modelView");
@@ -285,7 +277,7 @@ void ModelView::mousePressEvent(QMouseEvent* event) {
     const HandleLayout layout = *handles();
     if (const auto handle = d.planeHandleAt(mouse)) {
       d.drag.emplace(*handle, *d.plane, layout, camera(), mouse);
-      d.dragStart = *d.plane;
+      d.spunFrom = d.spun;
       event->accept();
       emit planeDragStarted();
       return;
@@ -308,7 +300,11 @@ void ModelView::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   if (d.drag || d.bendDrag) {
-    const ResectionPlane moved = d.drag ? movedTo(d.dragStart, d.drag->planeAt(mouse)) : d.bendDrag->planeAt(mouse);
+    const ResectionPlane moved = d.drag ? d.drag->planeAt(mouse) : d.bendDrag->planeAt(mouse);
+    if (d.drag && !moved.bend) {
+      d.spun = d.spunFrom + d.drag->spunAt(mouse);
+      requestRender();
+    }
     setPlane(moved);
     event->accept();
     emit planeDragged(moved);
@@ -377,101 +373,6 @@ void ModelView::changeEvent(QEvent* event) {
     requestRender();
   }
   VtkWidget::changeEvent(event);
-}
-
-void ModelView::stepPlane(const ResectionPlane& to) {
-  emit planeDragStarted();
-  setPlane(to);
-  emit planeDragged(to);
-  emit planeDragFinished(to);
-}
-
-bool ModelView::movePlaneByKey(const QKeyEvent& event) {
-  Impl& d = *impl_;
-  if (!d.plane || !d.handlesShown || d.drag || d.bendDrag) {
-    return false;
-  }
-  const bool control = event.modifiers().testFlag(Qt::ControlModifier);
-  const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
-  const double mm = control ? 5.0 : (shift && event.key() != Qt::Key_Plus ? 0.1 : 1.0);
-  const auto along = [&](double by) {
-    stepPlane(d.canBend() && d.keyedPoint ? lifted(*d.plane, *d.keyedPoint, d.bendGroup, by)
-                                          : movedTo(*d.plane, movedAlongNormal(*d.plane, by)));
-  };
-  switch (event.key()) {
-    case Qt::Key_PageUp:
-    case Qt::Key_Plus:
-      along(mm);
-      return true;
-    case Qt::Key_PageDown:
-    case Qt::Key_Minus:
-      along(-mm);
-      return true;
-    default:
-      break;
-  }
-  if (!control) {
-    return false;
-  }
-  // Left and right turn about the plane's axis that is nearest to up on the screen, up and down about the other one.
-  const HalfSpace about{handles()->anchor, d.plane->normal};
-  const Vec3& n = about.normal;
-  Vec3 upright = viewUp() - viewUp().dot(n) * n;
-  if (upright.norm() < 0.1) {
-    upright = viewDirection() - viewDirection().dot(n) * n;
-  }
-  const double angle = (shift ? 5.0 : 1.0) * kDegree;
-  const auto turn = [&](const Vec3& axis, double by) {
-    HalfSpace to = turned(about, axis, by);
-    if (d.plane->bend) {
-      to.origin = turnedAbout(about.origin, d.plane->origin, n, to.normal);  // the bend's square is about the origin
-    }
-    stepPlane(movedTo(*d.plane, to));
-  };
-  switch (event.key()) {
-    case Qt::Key_Left:
-      turn(upright, angle);
-      return true;
-    case Qt::Key_Right:
-      turn(upright, -angle);
-      return true;
-    case Qt::Key_Up:
-      turn(n.cross(upright), angle);
-      return true;
-    case Qt::Key_Down:
-      turn(n.cross(upright), -angle);
-      return true;
-    default:
-      return false;
-  }
-}
-
-void ModelView::keyPressEvent(QKeyEvent* event) {
-  Impl& d = *impl_;
-  if (d.pick && event->key() == Qt::Key_Escape) {
-    return cancelPick();
-  }
-  if ((d.drag || d.bendDrag) && event->key() == Qt::Key_Escape) {
-    const ResectionPlane start = d.drag ? d.dragStart : d.bendDrag->start();
-    setPlane(start);
-    emit planeDragged(start);
-    d.endDrag(start);
-    return;
-  }
-  if (movePlaneByKey(*event)) {
-    event->accept();
-    return;
-  }
-  switch (event->key()) {
-    case Qt::Key_1:
-      return setStandardView(StandardView::Anterior);
-    case Qt::Key_3:
-      return setStandardView(StandardView::Left);
-    case Qt::Key_7:
-      return setStandardView(StandardView::Superior);
-    default:
-      VtkWidget::keyPressEvent(event);
-  }
 }
 
 }  // namespace glisson

@@ -2,7 +2,8 @@
 // Purpose: the 3D view: the combined model, the resection plane with its handles, orientation cube and letters. Frame: mm LPS.
 // Mouse: left rotates, middle pans, right or wheel zooms; 1/3/7 anterior/left/superior. Handles of the plane take the left button
 // first; Escape during a drag takes it back. Keys for the plane: PageUp/PageDown or +/- move it 1 mm along its normal (Shift 0.1
-// mm, Ctrl 5 mm), Ctrl+arrows tilt it by 1 degree about its centre (with Shift 5 degrees). While a bent plane's control points are
+// mm, Ctrl 5 mm), Ctrl+arrows tilt it by 1 degree about its centre, Home and End spin it about its normal (with Shift 5 degrees).
+// While a bent plane's control points are
 // shown they take the left button (with Shift: their group moves), and the keys along the normal move the one chosen last.
 
 #include <memory>
@@ -54,6 +55,9 @@ class ModelView : public VtkWidget {
   [[nodiscard]] std::optional<ResectionPlane> plane() const;
   /// Shows the control points of the chosen plane where it is bent; `group`: they move with their group. Not shown is the default.
   void setBending(bool shown, bool group);
+  /// Turns the chosen plane about its normal, right-handed: a bent one in one step; of a flat one, which stays the same, the
+  /// handles.
+  void spinPlane(double radians);
   /// The control point, 0..15, that is highlighted and that keys move. Emits no signal.
   void chooseControlPoint(int point);
 

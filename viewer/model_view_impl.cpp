@@ -208,8 +208,7 @@ void ModelView::Impl::fitAgain() {
 std::optional<PlaneHandle> ModelView::Impl::planeHandleAt(const Pixel& mouse) const {
   const std::optional<PlaneHandle> handle = handleAt(*view->handles(), view->camera(), mouse);
   // While the plane is bent it is not tilted: those handles lie among the control points.
-  const bool tilts = handle && *handle != PlaneHandle::Centre && *handle != PlaneHandle::Normal;
-  return canBend() && tilts ? std::nullopt : handle;
+  return canBend() && handle && isTilt(*handle) ? std::nullopt : handle;
 }
 
 std::array<bool, 16> ModelView::Impl::highlightedPoints() const {

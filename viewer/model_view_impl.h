@@ -48,7 +48,8 @@ struct ModelView::Impl {
   bool sectionIsCoarse = false;
   Vec3 anchor = Vec3::Zero();
   std::optional<PlaneDrag> drag;
-  ResectionPlane dragStart;
+  double spun = 0;         ///< of a flat plane, radians: how far its handles are turned within it
+  double spunFrom = 0;     ///< the same when the drag began
   bool bending = false;    ///< control points are shown where the plane is bent
   bool bendGroup = false;  ///< they move with their group
   std::optional<BendDrag> bendDrag;
@@ -80,7 +81,7 @@ struct ModelView::Impl {
   void lookFrom(const Vec3& direction, const Vec3& up);
   /// Places it again along the last direction, unless the user has moved it since.
   void fitAgain();
-  [[nodiscard]] HandleLayout layout() const { return layoutHandles(*plane, anchor, section, view->camera()); }
+  [[nodiscard]] HandleLayout layout() const { return layoutHandles(*plane, anchor, section, view->camera(), spun); }
   [[nodiscard]] bool canBend() const { return bending && handlesShown && plane && plane->bend; }
   [[nodiscard]] std::optional<PlaneHandle> planeHandleAt(const Pixel& mouse) const;
   [[nodiscard]] std::array<bool, 16> highlightedPoints() const;

@@ -4,6 +4,7 @@
 #include <vtkArrowSource.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCellArray.h>
+#include <vtkCubeSource.h>
 #include <vtkLineSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -32,6 +33,18 @@ constexpr Colour kControl{0.35, 0.85, 0.95};  ///< control points of a bend: tol
 constexpr double kTiltScale = 0.75;
 constexpr double kControlScale = 0.6;
 
+/// From a source's axes x, y, z to first, axes.u, axes.v, each `length` long, at `origin`.
+vtkNew<vtkMatrix4x4> poseOf(double length, const Vec3& first, const PlaneAxes& axes, const Vec3& origin) {
+  vtkNew<vtkMatrix4x4> pose;
+  for (int row = 0; row < 3; ++row) {
+    pose->SetElement(row, 0, length * first[row]);
+    pose->SetElement(row, 1, length * axes.u[row]);
+    pose->SetElement(row, 2, length * axes.v[row]);
+    pose->SetElement(row, 3, origin[row]);
+  }
+  return pose;
+}
+
 void setColour(vtkActor* actor, const Colour& colour) { actor->GetProperty()->SetColor(colour.r, colour.g, colour.b); }
 
 }  // namespace
@@ -43,6 +56,9 @@ struct PlaneActors::Impl {
   vtkNew<vtkPolyDataMapper> sphereMapper, arrowMapper;
   vtkNew<vtkActor> centreActor, arrowActor;
   std::array<vtkNew<vtkActor>, 4> tiltActors;
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkPolyDataMapper> cubeMapper;
+  vtkNew<vtkActor> spinActor;
   vtkNew<vtkBillboardTextActor3D> label;
   vtkNew<vtkLineSource> line;
   vtkNew<vtkPolyDataMapper> lineMapper;
@@ -54,7 +70,7 @@ struct PlaneActors::Impl {
   vtkNew<vtkActor> netActor;
 
   [[nodiscard]] std::vector<vtkProp*> overlayProps() const {
-    std::vector<vtkProp*> props{centreActor, arrowActor, label};
+    std::vector<vtkProp*> props{centreActor, arrowActor, spinActor, label};
     for (const auto& tilt : tiltActors) {
       props.push_back(tilt);
     }
@@ -87,6 +103,8 @@ PlaneActors::PlaneActors(vtkRenderer* overlay) : impl_(std::make_unique<Impl>())
   for (auto& tilt : d.tiltActors) {
     tilt->SetMapper(d.sphereMapper);
   }
+  d.cubeMapper->SetInputConnection(d.cube->GetOutputPort());
+  d.spinActor->SetMapper(d.cubeMapper);
   d.netMapper->SetInputData(d.net);
   d.netActor->SetMapper(d.netMapper);
   d.netActor->GetProperty()->LightingOff();
@@ -145,17 +163,13 @@ void PlaneActors::placeHandles(const HalfSpace& plane, const HandleLayout& layou
     setColour(d.tiltActors[n], colourOf(static_cast<PlaneHandle>(static_cast<int>(PlaneHandle::TiltRight) + static_cast<int>(n))));
   }
 
-  // vtkArrowSource runs from (0,0,0) to (1,0,0).
   const PlaneAxes axes = axesOf(plane.normal);
-  const double length = kArrowPixels * layout.mmPerPixel;
-  vtkNew<vtkMatrix4x4> pose;
-  for (int row = 0; row < 3; ++row) {
-    pose->SetElement(row, 0, length * plane.normal[row]);
-    pose->SetElement(row, 1, length * axes.u[row]);
-    pose->SetElement(row, 2, length * axes.v[row]);
-    pose->SetElement(row, 3, layout.anchor[row]);
-  }
-  d.arrowActor->SetUserMatrix(pose);
+  // vtkArrowSource runs from (0,0,0) to (1,0,0).
+  d.arrowActor->SetUserMatrix(poseOf(kArrowPixels * layout.mmPerPixel, plane.normal, axes, layout.anchor));
+  const Vec3 outward = (layout.spin - layout.anchor).normalized();
+  d.spinActor->SetUserMatrix(poseOf(1.4 * kTiltScale * radius, outward, {plane.normal, outward.cross(plane.normal)}, layout.spin));
+  d.spinActor->SetVisibility(layout.spinShown);
+  setColour(d.spinActor, colourOf(PlaneHandle::Spin));
   setColour(d.arrowActor, colourOf(PlaneHandle::Normal));
   d.label->SetPosition(layout.label.x(), layout.label.y(), layout.label.z());
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace glisson {
 
@@ -31,15 +32,31 @@ Vec3 insideView(const Vec3& point, const ViewCamera& camera, double halfWidth, d
   return point + camera.mmPerPixel(point) * (moved.x() * camera.right() - moved.y() * camera.up);
 }
 
-bool isTilt(PlaneHandle handle) { return handle != PlaneHandle::Centre && handle != PlaneHandle::Normal; }
+constexpr double kSpinAngle = std::numbers::pi / 8;  ///< from TiltRight, beside the control points of a bend
+constexpr double kLeastFacing = 0.2;                 ///< seen flatter than this, a plane is not spun: cosine
+
+PlaneAxes handleAxes(const ResectionPlane& plane, double spun) {
+  if (plane.bend) {
+    return {plane.bend->u, plane.normal.cross(plane.bend->u)};
+  }
+  const PlaneAxes axes = axesOf(plane.normal);
+  const double c = std::cos(spun);
+  const double s = std::sin(spun);
+  return {c * axes.u + s * axes.v, c * axes.v - s * axes.u};
+}
 
 }  // namespace
+
+bool isTilt(PlaneHandle handle) {
+  return handle != PlaneHandle::Centre && handle != PlaneHandle::Normal && handle != PlaneHandle::Spin;
+}
 
 Vec3 anchorOf(const HalfSpace& plane, const std::vector<Loop>& section) {
   return isInside(section, plane, plane.origin) ? plane.origin : centreOf(section, plane);
 }
 
-HandleLayout layoutHandles(const HalfSpace& plane, const Vec3& anchor, const std::vector<Loop>& section, const ViewCamera& camera) {
+HandleLayout layoutHandles(const ResectionPlane& plane, const Vec3& anchor, const std::vector<Loop>& section,
+                           const ViewCamera& camera, double spun) {
   HandleLayout layout;
   layout.anchor = anchor;
   layout.mmPerPixel = camera.mmPerPixel(anchor);
@@ -54,17 +71,20 @@ HandleLayout layoutHandles(const HalfSpace& plane, const Vec3& anchor, const std
     const bool room = camera.toPixel(layout.arrowTip).y() + kLabelBelow + kLabelHalfHeight <= camera.height;
     layout.label -= layout.mmPerPixel * ((room ? kLabelBelow : -kLabelBelow) - offTip.y()) * camera.up;
   }
-  const PlaneAxes axes = axesOf(plane.normal);
-  const std::array<Vec3, 4> directions{axes.u, axes.v, -axes.u, -axes.v};
+  const PlaneAxes axes = handleAxes(plane, spun);
   const Pixel centre = camera.toPixel(anchor);
+  const auto onBorder = [&](const Vec3& direction) {
+    const double distance = reach(section, plane, anchor, direction);
+    return Vec3(anchor + (distance > 0 ? distance : kFallbackPixels * layout.mmPerPixel) * direction);
+  };
+  const auto besideCentre = [&](const Vec3& point) { return (camera.toPixel(point) - centre).norm() > 2.2 * kHandlePixels; };
+  const std::array<Vec3, 4> directions{axes.u, axes.v, -axes.u, -axes.v};
   for (std::size_t n = 0; n < 4; ++n) {
-    double distance = reach(section, plane, anchor, directions[n]);
-    if (distance <= 0) {
-      distance = kFallbackPixels * layout.mmPerPixel;
-    }
-    layout.tilts[n] = anchor + distance * directions[n];
-    layout.tiltShown[n] = (camera.toPixel(layout.tilts[n]) - centre).norm() > 2.2 * kHandlePixels;
+    layout.tilts[n] = onBorder(directions[n]);
+    layout.tiltShown[n] = besideCentre(layout.tilts[n]);
   }
+  layout.spin = onBorder(std::cos(kSpinAngle) * axes.u + std::sin(kSpinAngle) * axes.v);
+  layout.spinShown = besideCentre(layout.spin) && std::abs(plane.normal.dot(camera.forward)) > kLeastFacing;
   return layout;
 }
 
@@ -84,6 +104,9 @@ std::optional<PlaneHandle> handleAt(const HandleLayout& layout, const ViewCamera
       consider(static_cast<PlaneHandle>(static_cast<int>(PlaneHandle::TiltRight) + static_cast<int>(n)),
                (mouse - camera.toPixel(layout.tilts[n])).norm());
     }
+  }
+  if (layout.spinShown) {
+    consider(PlaneHandle::Spin, (mouse - camera.toPixel(layout.spin)).norm());
   }
   // The arrow's foot belongs to the centre sphere.
   const Pixel tip = camera.toPixel(layout.arrowTip);
@@ -123,6 +146,8 @@ PlaneDrag::PlaneDrag(PlaneHandle handle, const ResectionPlane& plane, const Hand
     graspPoint_ = layout.tilts[n];
     // The mouse rarely meets the handle's centre: keep the offset, so that nothing jumps.
     grasp_ = camera_.toPixel(layout.tilts[n]) - mouse;
+  } else if (handle == PlaneHandle::Spin) {
+    graspPoint_ = onPlane(mouse);
   } else if (handle == PlaneHandle::Normal) {
     graspAlong_ = alongNormal(camera_, anchor_, start_.normal, mouse, grasp_);
   } else {
@@ -134,6 +159,16 @@ Vec3 PlaneDrag::inPicture(const Pixel& mouse) const {
   const Ray sight = camera_.rayAt(mouse);
   const double depth = (anchor_ - sight.origin).dot(camera_.forward) / sight.direction.dot(camera_.forward);
   return sight.origin + depth * sight.direction;
+}
+
+Vec3 PlaneDrag::onPlane(const Pixel& mouse) const {
+  const Ray sight = camera_.rayAt(mouse);
+  const double across = sight.direction.dot(start_.normal);
+  if (std::abs(across) < 0.5 * kLeastFacing) {
+    const Vec3 beside = inPicture(mouse);  // the line of sight hardly meets the plane
+    return beside - start_.normal.dot(beside - anchor_) * start_.normal;
+  }
+  return sight.origin + (start_.normal.dot(anchor_ - sight.origin) / across) * sight.direction;
 }
 
 Vec3 PlaneDrag::onSphere(const Pixel& mouse) const {
@@ -149,7 +184,20 @@ Vec3 PlaneDrag::onSphere(const Pixel& mouse) const {
   return (foot + (front ? -half : half) * sight.direction) / radius_;
 }
 
-HalfSpace PlaneDrag::planeAt(const Pixel& mouse) const {
+ResectionPlane PlaneDrag::planeAt(const Pixel& mouse) const {
+  return handle_ == PlaneHandle::Spin ? spun(start_, anchor_, spunAt(mouse)) : movedTo(start_, movedAt(mouse));
+}
+
+double PlaneDrag::spunAt(const Pixel& mouse) const {
+  if (handle_ != PlaneHandle::Spin) {
+    return 0;
+  }
+  const Vec3 from = graspPoint_ - anchor_;
+  const Vec3 to = onPlane(mouse) - anchor_;
+  return std::atan2(from.cross(to).dot(start_.normal), from.dot(to));
+}
+
+HalfSpace PlaneDrag::movedAt(const Pixel& mouse) const {
   if (handle_ == PlaneHandle::Normal) {
     return {start_.origin + (alongNormal(camera_, anchor_, start_.normal, mouse, grasp_) - graspAlong_) * start_.normal,
             start_.normal};

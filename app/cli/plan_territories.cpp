@@ -6,6 +6,7 @@
 
 #include "app/cli/table.h"
 #include "planning/territories/marked_branches.h"
+#include "planning/territories/segment_map.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/text.h"
 
@@ -51,20 +52,6 @@ TerritoryChoice choiceOf(const TerritoryFlags& flags, const TerritoryMarks& mark
   }
   choice.confirmed = true;
   return choice;
-}
-
-/// The map on the case's grid, of the case's patient.
-Segmentation readSegments(const Case& source, const TerritoryFlags& flags, const ExecutionContext& context) {
-  const ReadOptions options = readOptions(flags.input);
-  CtVolume grid;
-  grid.geometry = source.segmentation->geometry;
-  grid.identity = source.identity;
-  if (source.ctSource.empty()) {
-    grid.identity.patientId = source.segmentation->patientId;
-    grid.identity.frameOfReferenceUid = source.segmentation->frameOfReferenceUid;
-  }
-  grid.source = source.ctSource.empty() ? source.segmentation->source : source.ctSource;
-  return matchToCt(readSegmentation(flags.segments, options, context), grid, options);
 }
 
 std::string ml(double value) { return formatNumber(value, 1) + " mL"; }
@@ -116,7 +103,8 @@ void addTerritoryFlags(CLI::App& command, TerritoryFlags& flags) {
                   "NAME=BRANCH,BRANCH: branches that make a territory, with all behind them; repeatable; the case keeps them")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--segments", flags.segments, "A map of liver segments 1 to 8, instead of branches");
+  command.add_option("--segments", flags.segments,
+                     "A map of liver segments 1 to 8, instead of branches; the case keeps where it lies");
   addInputFlags(command, flags.input);
 }
 
@@ -135,15 +123,17 @@ void checkTerritoryFlags(const TerritoryFlags& flags) {
 TerritoryCommand::TerritoryCommand(const Case& source, const TerritoryFlags& flags, const ExecutionContext& context)
     : perfusion_(source, context.range(0, 0.8)), marks_(source.territories), notes_(perfusion_.notes()) {
   if (!flags.segments.empty()) {
-    territories_ = segmentTerritories(*source.liver, readSegments(source, flags, context.range(0.8, 1.0)));
+    const SegmentMapFile map = segmentMapFile(flags.segments);
+    territories_ = segmentTerritories(source, map, readOptions(flags.input), context.range(0.8, 1.0));
+    marks_ = {.marks = {}, .segments = map};
   } else {
     const TerritoryChoice choice = choiceOf(flags, source.territories, perfusion_.portal());
-    if (choice.picks.empty()) {
+    if (choice.picks.empty() && !choice.segments) {
       territories_.geometry = source.liver->geometry;
       territories_.source = choice.source;
       territories_.notes = choice.notes;
     } else {
-      territories_ = territoriesOf(*source.liver, perfusion_.portal(), choice, context.range(0.8, 1.0));
+      territories_ = territoriesOf(source, perfusion_.portal(), choice, context.range(0.8, 1.0));
       if (flags.confirm || !flags.picks.empty()) {
         marks_ = marksOf(choice, perfusion_.portal());
       }
@@ -151,6 +141,13 @@ TerritoryCommand::TerritoryCommand(const Case& source, const TerritoryFlags& fla
   }
   notes_.insert(notes_.end(), territories_.notes.begin(), territories_.notes.end());
   tumours_ = tumourTerritories(source, territories_);
+}
+
+std::string TerritoryCommand::editName() const {
+  if (marks_.segments) {
+    return "choose map of segments";
+  }
+  return marks_.proposed ? "confirm territories" : "pick territory";
 }
 
 TerritoryReport TerritoryCommand::report(const ResectionPlan& plan) const {

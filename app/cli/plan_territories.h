@@ -26,7 +26,7 @@ class TerritoryCommand {
   /// What the case is to keep: what the flags say, else what it held.
   [[nodiscard]] const TerritoryMarks& marks() const { return marks_; }
   /// What was done to them, as it stands behind Undo.
-  [[nodiscard]] std::string editName() const { return marks_.proposed ? "confirm territories" : "pick territory"; }
+  [[nodiscard]] std::string editName() const;
   void printText(const TerritoryReport& report) const;
 
  private:

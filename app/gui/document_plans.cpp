@@ -184,6 +184,8 @@ void Document::endDrag(const ResectionPlane& plane) {
   }
   if (!from) {
     placePlane(plane);
+  } else if (from->normal == plane.normal && from->bend && plane.bend && from->bend->u != plane.bend->u) {
+    edit(SpinPlane{chosen_.resection, chosen_.plane, plane.bend->u, plane.origin});
   } else if (from->origin == plane.origin && from->normal == plane.normal && plane.bend) {
     edit(BendPlane{chosen_.resection, chosen_.plane, *plane.bend});
   } else {

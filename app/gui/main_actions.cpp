@@ -166,6 +166,9 @@ void MainActions::makePlaneMenu() {
   step("actionTiltRight", QT_TR_NOOP("Turn ri&ght"), "Alt+Right", [this] { window_.placer().tilt(-kKeyTiltRadians, 0); });
   step("actionTiltUp", QT_TR_NOOP("Turn &up"), "Alt+Up", [this] { window_.placer().tilt(0, kKeyTiltRadians); });
   step("actionTiltDown", QT_TR_NOOP("Turn &down"), "Alt+Down", [this] { window_.placer().tilt(0, -kKeyTiltRadians); });
+  step("actionSpinLeft", QT_TR_NOOP("&Spin about its normal"), "Alt+Home",
+       [this] { window_.views().modelView().spinPlane(kKeyTiltRadians); });
+  step("actionSpinRight", QT_TR_NOOP("Spin &back"), "Alt+End", [this] { window_.views().modelView().spinPlane(-kKeyTiltRadians); });
   plane->addSeparator();
   step("actionRemovePlane", QT_TR_NOOP("Remo&ve plane"), "Ctrl+Del", [this] { window_.document().removePlane(); });
 }

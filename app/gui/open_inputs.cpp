@@ -5,6 +5,7 @@
 
 #include "reconstruction/errors.h"
 #include "reconstruction/sample/sample_patient.h"
+#include "reconstruction/text.h"
 
 namespace glisson {
 
@@ -34,6 +35,9 @@ void put(SortedInputs& sorted, InputKind kind, const fs::path& path) {
   }
 }
 
+/// 3D-IRCADb ships its labels once more as grey values in a copy of the CT's slices: headers of a CT, but no CT.
+bool isPictureOfLabels(const fs::path& folder) { return toLower(folder.filename().string()) == "labelled_dicom"; }
+
 /// What the folder's entries are, where exactly one of them is a CT and one a segmentation (a patient's folder as 3D-IRCADb ships
 /// it) or one is a case, or one is a CT and the other files are masks of one organ each, which the folder is then; else nothing.
 std::optional<SortedInputs> patientFolder(const fs::path& folder, const ExecutionContext& context) {
@@ -43,7 +47,9 @@ std::optional<SortedInputs> patientFolder(const fs::path& folder, const Executio
     if (children.size() == kMostEntries) {
       return std::nullopt;
     }
-    children.push_back(entry.path());
+    if (!isPictureOfLabels(entry.path())) {
+      children.push_back(entry.path());
+    }
   }
   std::ranges::sort(children);
   SortedInputs inside;

@@ -50,6 +50,9 @@ constexpr auto kRows = std::to_array<SentenceRow>({
     {"nf", QT_TRANSLATE_NOOP("Sentence", "flatten plane %1 of %2")},
     {"n", QT_TRANSLATE_NOOP("Sentence", "flatten plane %1")},
     {"", QT_TRANSLATE_NOOP("Sentence", "flatten plane")},
+    {"nf", QT_TRANSLATE_NOOP("Sentence", "spin plane %1 of %2")},
+    {"n", QT_TRANSLATE_NOOP("Sentence", "spin plane %1")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "spin plane")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The plane has no bend; bend it first.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The plan has a bent plane, whose sides are no convex parts; flatten it first.")},
     {"", QT_TRANSLATE_NOOP(

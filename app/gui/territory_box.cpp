@@ -7,6 +7,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
+#include "app/gui/file_dialog.h"
 #include "app/gui/narrow_table.h"
 #include "app/gui/number_text.h"
 #include "app/gui/sentences.h"
@@ -65,6 +66,10 @@ QString territoryName(const std::string& name) {
   if (name == "right") {
     return TerritoryBox::tr("right");
   }
+  constexpr std::string_view kSegment = "segment ";
+  if (name.starts_with(kSegment)) {
+    return TerritoryBox::tr("segment %1").arg(QString::fromStdString(name.substr(kSegment.size())));
+  }
   return name == "unassigned" ? TerritoryBox::tr("unassigned") : shownName(name);
 }
 
@@ -93,6 +98,7 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
       confirm_(new QPushButton(this)),
       pick_(new QPushButton(this)),
       propose_(new QPushButton(this)),
+      segments_(new QPushButton(this)),
       shown_(new QCheckBox(this)),
       parts_(new QTreeWidget(this)),
       perfusion_(new QLabel(this)),
@@ -102,6 +108,7 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
   confirm_->setObjectName("confirmTerritories");
   pick_->setObjectName("pickTerritory");
   propose_->setObjectName("proposeTerritories");
+  segments_->setObjectName("segmentTerritories");
   shown_->setObjectName("showTerritories");
   shown_->setChecked(true);
   parts_->setObjectName("territoryTable");
@@ -120,13 +127,15 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
   grid->addWidget(confirm_, 3, 0, 1, 2);
   grid->addWidget(pick_, 4, 0);
   grid->addWidget(propose_, 4, 1);
-  grid->addWidget(perfusion_, 5, 0, 1, 2);
-  grid->addWidget(notes_, 6, 0, 1, 2);
+  grid->addWidget(segments_, 5, 0, 1, 2);
+  grid->addWidget(perfusion_, 6, 0, 1, 2);
+  grid->addWidget(notes_, 7, 0, 1, 2);
 
   connect(estimate_, &QPushButton::clicked, &estimator_, &TerritoryEstimator::estimate);
   connect(confirm_, &QPushButton::clicked, &estimator_, &TerritoryEstimator::confirm);
   connect(shown_, &QCheckBox::toggled, this, &TerritoryBox::refresh);
   connect(propose_, &QPushButton::clicked, &estimator_, &TerritoryEstimator::propose);
+  connect(segments_, &QPushButton::clicked, this, &TerritoryBox::chooseSegments);
   connect(pick_, &QPushButton::clicked, this, [this] {
     view_->startPick(PickKind::Branch);
     view_->setFocus();
@@ -149,15 +158,26 @@ void TerritoryBox::pointIn(ModelView& view) {
   refreshBranches();
 }
 
+void TerritoryBox::chooseSegments() {
+  QFileDialog* dialog = makeFileDialog(this, "segmentMapDialog", tr("Choose a map of liver segments 1 to 8"));
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilters({tr("Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd)"), tr("All files (*)")});
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    rememberFolder({path});
+    estimator_.chooseSegments(path);
+  });
+  dialog->open();
+}
+
 void TerritoryBox::retranslateUi() {
   setTitle(tr("Territories (estimates)"));
   estimate_->setText(tr("Estimate territories"));
   confirm_->setText(tr("Left and right are right"));
   pick_->setText(tr("Pick a branch"));
   propose_->setText(tr("Left and right"));
+  segments_->setText(tr("Segments from a file..."));
+  segments_->setToolTip(tr("A map with labels 1 to 8 on the grid of the CT, instead of branches; the case keeps where it lies"));
   shown_->setText(tr("Branches in the 3D view"));
-  shown_->setToolTip(
-      tr("The portal branches, each in the colour of the territory that hangs on it; grey ones belong to none of them"));
   parts_->setHeaderLabels({tr("Territory"), tr("Volume"), tr("Resected")});
   refresh();
 }
@@ -166,7 +186,7 @@ void TerritoryBox::refresh() {
   const bool known =
       estimator_.state() == TerritoryEstimator::State::Current || estimator_.state() == TerritoryEstimator::State::Following;
   estimate_->setVisible(!known);
-  for (QWidget* part : std::initializer_list<QWidget*>{parts_, shown_, pick_, propose_, perfusion_, notes_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{parts_, shown_, pick_, propose_, segments_, perfusion_, notes_}) {
     part->setVisible(known);
   }
   confirm_->setVisible(known && estimator_.isProposal());
@@ -182,7 +202,7 @@ void TerritoryBox::refresh() {
 
 void TerritoryBox::refreshBranches() {
   if (view_ != nullptr) {
-    const VesselGraph* portal = shown_->isChecked() ? estimator_.portal() : nullptr;
+    const VesselGraph* portal = shown_->isChecked() && !estimator_.hasSegments() ? estimator_.portal() : nullptr;
     view_->setTerritories(portal != nullptr ? drawnTerritories(*portal, estimator_.choice()) : std::vector<DrawnTerritory>());
   }
 }
@@ -201,8 +221,14 @@ void TerritoryBox::refreshButtons() {
   confirm_->setToolTip(confirm_->isEnabled() ? tr("You have looked at the proposed left and right and found them right")
                                              : tr("Show the branches in the 3D view and look at them first."));
   pick_->setEnabled(view_ != nullptr);
-  propose_->setEnabled(estimator_.isPicked());
-  propose_->setToolTip(estimator_.isPicked() ? tr("Back to left and right as proposed") : tr("Left and right are shown already."));
+  const bool otherwise = estimator_.isPicked() || estimator_.hasSegments();
+  propose_->setEnabled(otherwise);
+  propose_->setToolTip(otherwise ? tr("Back to left and right as proposed") : tr("Left and right are shown already."));
+  shown_->setEnabled(!estimator_.hasSegments());
+  shown_->setToolTip(
+      shown_->isEnabled()
+          ? tr("The portal branches, each in the colour of the territory that hangs on it; grey ones belong to none of them")
+          : tr("The segments of a map hang on no branches."));
 }
 
 void TerritoryBox::refreshNumbers(const TerritoryReport& report) {

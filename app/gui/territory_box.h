@@ -1,7 +1,7 @@
 #pragma once
 // Purpose: the estimates of territories and of the remnant's blood beside the plan's numbers: asked for with a button, looked at
-// and confirmed, or made of branches that are clicked in the 3D view. The 3D view draws each territory's branches in the colour
-// beside its row. Called estimates throughout.
+// and confirmed, made of branches that are clicked in the 3D view, or read from a map of segments. The 3D view draws each
+// territory's branches in the colour beside its row. Called estimates throughout.
 
 #include <QGroupBox>
 
@@ -31,6 +31,7 @@ class TerritoryBox final : public Translated<QGroupBox> {
   void retranslateUi() override;
 
  private:
+  void chooseSegments();
   void refresh();
   void refreshButtons();
   void refreshBranches();
@@ -43,6 +44,7 @@ class TerritoryBox final : public Translated<QGroupBox> {
   QPushButton* confirm_;
   QPushButton* pick_;
   QPushButton* propose_;
+  QPushButton* segments_;
   QCheckBox* shown_;
   QTreeWidget* parts_;
   QLabel* perfusion_;

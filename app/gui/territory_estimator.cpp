@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planning/territories/marked_branches.h"
+#include "planning/territories/segment_map.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr const char* kPropose = QT_TRANSLATE_NOOP("glisson::Document", "propose territories");
 constexpr const char* kConfirm = QT_TRANSLATE_NOOP("glisson::Document", "confirm territories");
+constexpr const char* kSegments = QT_TRANSLATE_NOOP("glisson::Document", "choose map of segments");
 constexpr const char* kPick = QT_TRANSLATE_NOOP("glisson::Document", "pick territory");
 
 /// The first "Territory N" that is free.
@@ -21,6 +23,38 @@ std::string freeName(const std::vector<TerritoryPick>& picks) {
       return name;
     }
   }
+}
+
+/// Where nothing is proposed: perfusion is told all the same.
+Territories nothingOf(const Case& content, const TerritoryChoice& choice) {
+  Territories none;
+  none.geometry = content.liver->geometry;
+  none.source = choice.source;
+  none.notes = choice.notes;
+  return none;
+}
+
+/// The liver as `choice` divides it; a new map of segments gets its hash. Where one that the case keeps cannot be had any more,
+/// `choice` becomes the proposal.
+std::shared_ptr<const Territories> divided(const Case& content, const VesselGraph& portal, TerritoryChoice& choice, bool kept,
+                                           const ExecutionContext& context) {
+  if (!choice.segments) {
+    return std::make_shared<const Territories>(territoriesOf(content, portal, choice, context));
+  }
+  if (!kept) {
+    choice.segments = segmentMapFile(choice.segments->path);
+    return std::make_shared<const Territories>(segmentTerritories(content, *choice.segments, {}, context));
+  }
+  try {
+    return std::make_shared<const Territories>(territoriesOf(content, portal, choice, context));
+  } catch (const InputError& gone) {
+    choice = proposeLeftRight(portal);
+    choice.notes.emplace_back(gone.what());
+  }
+  if (!choice.picks.empty()) {
+    return std::make_shared<const Territories>(territoriesOf(content, portal, choice, context));
+  }
+  return std::make_shared<const Territories>(nothingOf(content, choice));
 }
 
 }  // namespace
@@ -97,6 +131,12 @@ void TerritoryEstimator::propose() {
   }
 }
 
+void TerritoryEstimator::chooseSegments(const QString& path) {
+  if (perfusion_) {
+    divide(segmentChoice({path.toStdString(), {}}), QString::fromLatin1(kSegments));
+  }
+}
+
 void TerritoryEstimator::confirm() {
   if (isProposal()) {
     TerritoryChoice confirmed = choice_;
@@ -130,19 +170,16 @@ void TerritoryEstimator::keep(const QString& step) {
 }
 
 void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
-  if (choice.picks.empty()) {  // nothing to propose: perfusion is told all the same
+  if (choice.picks.empty() && !choice.segments) {
     choice_ = std::move(choice);
-    auto none = std::make_shared<Territories>();
-    none->geometry = document_.content().liver->geometry;
-    none->source = choice_.source;
-    none->notes = choice_.notes;
-    territories_ = std::move(none);
+    territories_ = std::make_shared<const Territories>(nothingOf(document_.content(), choice_));
     tumours_.clear();
     keep(step);
     follow();
     return;
   }
   struct Parts {
+    TerritoryChoice choice;
     std::shared_ptr<const Territories> territories;
     std::vector<TumourTerritories> tumours;
   };
@@ -155,16 +192,16 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
   division_ = 0;  // that a newer division takes the place of this one is no end
   division_ = submitFor<Parts>(
       jobs_, std::move(request),
-      [content = document_.content(), perfusion = perfusion_, choice](const ExecutionContext& context) {
+      [content = document_.content(), perfusion = perfusion_, choice, kept = step.isEmpty()](const ExecutionContext& context) {
         Parts parts;
-        parts.territories =
-            std::make_shared<const Territories>(territoriesOf(*content.liver, perfusion->portal(), choice, context));
+        parts.choice = choice;
+        parts.territories = divided(content, perfusion->portal(), parts.choice, kept, context);
         parts.tumours = tumourTerritories(content, *parts.territories);
         return parts;
       },
-      [this, perfusion = perfusion_, choice, step](Parts parts) {
+      [this, perfusion = perfusion_, step](Parts parts) {
         if (perfusion_ == perfusion) {
-          choice_ = choice;
+          choice_ = std::move(parts.choice);
           territories_ = std::move(parts.territories);
           tumours_ = std::move(parts.tumours);
           keep(step);

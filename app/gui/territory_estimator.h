@@ -39,6 +39,9 @@ class TerritoryEstimator : public QObject {
   void confirm();
   /// The supplying portal branch nearest to a point, with all behind it, becomes a territory of its own.
   void pick(const Vec3& pointMm);
+  /// A map of segments 1 to 8, a file or a folder of masks, instead of branches.
+  void chooseSegments(const QString& path);
+  [[nodiscard]] bool hasSegments() const { return choice_.segments.has_value(); }
   /// Back to left and right as proposed.
   void propose();
 
@@ -48,6 +51,7 @@ class TerritoryEstimator : public QObject {
 
  private:
   void forget();
+  /// A choice that the case keeps and that cannot be had any more (its map of segments is gone) becomes the proposal, with a note.
   /// `step`: what the user did, an undo step of the case once it is done; empty where the case says so already.
   void divide(TerritoryChoice choice, const QString& step = {});
   void keep(const QString& step);

@@ -12,6 +12,9 @@ void validate(const TerritoryMarks& marks) {
   if (marks.marks.size() > kMostTerritoryMarks || tooLong) {
     throw PlanningError("A case holds at most 100 territories of at most 100 points each; point at fewer branches.");
   }
+  if (marks.segments && (marks.segments->path.empty() || !marks.marks.empty() || marks.proposed)) {
+    throw PlanningError("A map of segments needs its path, and no branches beside it; choose the map again.");
+  }
   for (const TerritoryMark& mark : marks.marks) {
     const bool finite = std::ranges::all_of(mark.pointsMm, [](const Vec3& point) { return point.allFinite(); });
     if (mark.name.empty() || mark.pointsMm.empty() || !finite) {

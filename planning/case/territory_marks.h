@@ -3,6 +3,7 @@
 // a point means the portal branch whose centreline it lies on, with all behind it. Frame: mm LPS.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,17 @@ struct TerritoryMark {
   bool operator==(const TerritoryMark&) const = default;
 };
 
+/// A map of liver segments where it lies, as a case keeps it: the map itself is read again.
+struct SegmentMapFile {
+  std::string path;    ///< absolute
+  std::string sha256;  ///< of the file, or of the names and hashes of a folder's files
+  bool operator==(const SegmentMapFile&) const = default;
+};
+
 struct TerritoryMarks {
   std::vector<TerritoryMark> marks;  ///< none: nothing was said, left and right are proposed
   bool proposed = false;             ///< left and right as proposed, looked at and confirmed; else the user pointed at branches
+  std::optional<SegmentMapFile> segments{};  ///< a map instead of branches; no marks then
   bool operator==(const TerritoryMarks&) const = default;
 };
 
@@ -26,7 +35,8 @@ struct TerritoryMarks {
 inline constexpr std::size_t kMostTerritoryMarks = 100;
 inline constexpr std::size_t kMostMarkPoints = 100;
 
-/// Throws PlanningError where a name or a mark is empty, a point is not finite or there are too many of them.
+/// Throws PlanningError where a name or a mark is empty, a point is not finite or there are too many of them, a map of segments has
+/// no path, or there are marks beside it.
 void validate(const TerritoryMarks& marks);
 
 }  // namespace glisson

@@ -252,6 +252,17 @@ ResectionPlane movedTo(const ResectionPlane& from, const HalfSpace& to) {
   return moved;
 }
 
+ResectionPlane spun(const ResectionPlane& plane, const Vec3& pivot, double radians) {
+  if (!plane.bend) {
+    return plane;
+  }
+  const Eigen::AngleAxisd turn(radians, plane.normal);
+  ResectionPlane turned = plane;
+  turned.origin = pivot + turn * (plane.origin - pivot);
+  turned.bend->u = turn * plane.bend->u;
+  return turned;
+}
+
 std::array<bool, 16> groupOf(std::size_t index) {
   const auto borders = [](std::size_t n) { return (n % 4 % 3 == 0 ? 1 : 0) + (n / 4 % 3 == 0 ? 1 : 0); };
   std::array<bool, 16> members{};

@@ -154,6 +154,9 @@ bool isOpposite(const Vec3& normal, const Vec3& other);
 /// `from` with origin and normal of `to`: its bend goes along, u turned by the smallest rotation from normal to normal. Opposite
 /// normals swap the sides and leave the surface where it is, seen from the plane, but for the small rest of the turn.
 ResectionPlane movedTo(const ResectionPlane& from, const HalfSpace& to);
+/// Turned by `radians` about the axis along its normal through `pivot`, right-handed: its square turns along. A flat plane is the
+/// same however it is turned.
+ResectionPlane spun(const ResectionPlane& plane, const Vec3& pivot, double radians);
 /// The other side resected; the surface stays.
 ResectionPlane flipped(const ResectionPlane& plane);
 

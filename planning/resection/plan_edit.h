@@ -53,6 +53,13 @@ struct FlattenPlane {
   std::size_t resection = 0;
   std::size_t plane = 0;
 };
+/// A bent plane turned about its normal (spun()): where u of its bend and its origin, moved into the plane, are then.
+struct SpinPlane {
+  std::size_t resection = 0;
+  std::size_t plane = 0;
+  Vec3 u = Vec3::UnitX();
+  Vec3 origin = Vec3::Zero();
+};
 /// 0 mm or more.
 struct SetSafetyMargin {
   double mm = 0;
@@ -74,7 +81,7 @@ struct RemoveMeasure {
 };
 
 using AnyEdit = std::variant<MovePlane, AddResection, RemoveResection, RenameResection, AddPlane, RemovePlane, BendPlane,
-                             FlattenPlane, SetSafetyMargin, AssignIsland, ReleaseIsland, AddMeasure, RemoveMeasure>;
+                             FlattenPlane, SpinPlane, SetSafetyMargin, AssignIsland, ReleaseIsland, AddMeasure, RemoveMeasure>;
 /// Any of them. A class of its own: std::apply must not be found beside apply().
 struct PlanEdit {
   template <typename Edit>

@@ -224,7 +224,11 @@ Json fromMarks(const TerritoryMarks& marks) {
     }
     list.push_back({{"name", mark.name}, {"pointsMm", std::move(points)}});
   }
-  return {{"proposed", marks.proposed}, {"marks", std::move(list)}};
+  Json json{{"proposed", marks.proposed}, {"marks", std::move(list)}};
+  if (marks.segments) {
+    json["segments"] = {{"path", marks.segments->path}, {"sha256", marks.segments->sha256}};
+  }
+  return json;
 }
 
 TerritoryMarks toMarks(const Json& json) {
@@ -236,6 +240,9 @@ TerritoryMarks toMarks(const Json& json) {
       mark.pointsMm.push_back(toVector(point));
     }
     marks.marks.push_back(std::move(mark));
+  }
+  if (const auto map = json.find("segments"); map != json.end()) {
+    marks.segments = SegmentMapFile{map->at("path"), map->at("sha256")};
   }
   validate(marks);
   return marks;

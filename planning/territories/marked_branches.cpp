@@ -29,9 +29,10 @@ std::optional<std::int32_t> nearestSupplyingBranch(const VesselGraph& portal, co
 
 TerritoryMarks marksOf(const TerritoryChoice& choice, const VesselGraph& portal) {
   TerritoryMarks marks;
-  if (!choice.confirmed || choice.source == TerritorySource::Segments) {
+  if (!choice.confirmed) {
     return marks;
   }
+  marks.segments = choice.segments;
   marks.proposed = choice.source == TerritorySource::Proposal && !choice.picks.empty();
   for (const TerritoryPick& pick : choice.picks) {
     TerritoryMark mark{pick.name, {}};
@@ -45,6 +46,9 @@ TerritoryMarks marksOf(const TerritoryChoice& choice, const VesselGraph& portal)
 }
 
 TerritoryChoice choiceOf(const TerritoryMarks& marks, const VesselGraph& portal) {
+  if (marks.segments) {
+    return segmentChoice(*marks.segments);
+  }
   if (marks.marks.empty()) {
     return proposeLeftRight(portal);
   }

@@ -11,12 +11,13 @@ namespace glisson {
 /// The supplying branch whose centreline comes nearest to a point, for what a user clicks; nothing where there is none.
 std::optional<std::int32_t> nearestSupplyingBranch(const VesselGraph& portal, const Vec3& pointMm);
 
-/// A site in the middle of each picked branch. No marks for a proposal that is not confirmed, or for a map of segments.
+/// A site in the middle of each picked branch, or the map of segments. No marks for a proposal that is not confirmed.
 TerritoryMarks marksOf(const TerritoryChoice& choice, const VesselGraph& portal);
 
 inline constexpr double kMarkMm = 2;
-/// Confirmed, as it was when it was marked. No marks: left and right as proposed, unconfirmed; the same with a note where the
-/// marked branches are not there any more (no centreline within kMarkMm of a point, or one branch for two points).
+/// Confirmed, as it was when it was marked; a map of segments is not looked for here. No marks: left and right as proposed,
+/// unconfirmed; the same with a note where the marked branches are not there any more (no centreline within kMarkMm of a point, or
+/// one branch for two points).
 TerritoryChoice choiceOf(const TerritoryMarks& marks, const VesselGraph& portal);
 
 }  // namespace glisson

@@ -170,6 +170,14 @@ Territories territoriesOf(const LiverVoxels& liver, const VesselGraph& portal, c
   return made;
 }
 
+TerritoryChoice segmentChoice(const SegmentMapFile& map) {
+  TerritoryChoice choice;
+  choice.source = TerritorySource::Segments;
+  choice.segments = map;
+  choice.confirmed = true;
+  return choice;
+}
+
 Territories segmentTerritories(const LiverVoxels& liver, const Segmentation& segments) {
   if (segments.geometry.cornerDistance(liver.geometry) > kSameGridMm) {
     throw InputError(segments.source + " (" + segments.geometry.describe() + ") is not on the grid of the case (" +

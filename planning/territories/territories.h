@@ -6,10 +6,12 @@
 // belongs to branches that no pick names is "not picked". Trunk, splenic and mesenteric branches own nothing. The proposal divides
 // all of L among left and right: there the nearest among their branches decides.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "planning/case/territory_marks.h"
 #include "planning/territories/vessel_graph.h"
 #include "planning/volumetry/voxel_rows.h"
 #include "reconstruction/image/liver_voxels.h"
@@ -30,14 +32,18 @@ struct TerritoryPick {
 struct TerritoryChoice {
   std::vector<TerritoryPick> picks;
   TerritorySource source = TerritorySource::Picked;
-  bool confirmed = false;          ///< a person has looked at it; a proposal begins unconfirmed
-  std::vector<std::string> notes;  ///< why a proposal is empty, or is to be looked at closely
+  std::optional<SegmentMapFile> segments{};  ///< of source Segments: the map that is read; no picks then
+  bool confirmed = false;                    ///< a person has looked at it; a proposal begins unconfirmed
+  std::vector<std::string> notes;            ///< why a proposal is empty, or is to be looked at closely
 };
 
 /// Left and right from the main bifurcation; unconfirmed. The left side is the branch that supplies farthest to the patient's left;
 /// where that is more than half of the liver, the division lies farther on (the right posterior branch leaves first), and is looked
 /// for there. No picks, with a note, where the label has no main bifurcation.
 TerritoryChoice proposeLeftRight(const VesselGraph& portal);
+
+/// Confirmed: whoever names a map has made or seen it.
+TerritoryChoice segmentChoice(const SegmentMapFile& map);
 
 inline constexpr std::string_view kNotPicked = "not picked";
 

@@ -255,6 +255,37 @@ TEST_F(ModelViewTest, DraggingABorderHandleTiltsThePlaneAboutItsCentre) {
   EXPECT_NEAR(tilted.normal.dot(handles.anchor - tilted.origin), 0.0, 1e-9);
 }
 
+TEST_F(ModelViewTest, TheSpinHandleTurnsABentPlaneAboutItsNormalAndOfAFlatOneTheHandles) {
+  const HalfSpace facing{Vec3::Zero(), -view.viewDirection()};
+  view.setPlane(facing);
+  const auto quarter = [&] {  // with the hands of a clock, as seen
+    const HandleLayout handles = *view.handles();
+    ASSERT_TRUE(handles.spinShown);
+    const Pixel centre = view.camera().toPixel(handles.anchor);
+    const Pixel from = view.camera().toPixel(handles.spin) - centre;
+    drag(centre + from, centre + Pixel(-from.y(), from.x()));
+  };
+  const auto angleOf = [&](const Vec3& from, const Vec3& to) {
+    return std::atan2(from.cross(to).dot(facing.normal), from.dot(to));
+  };
+  const Vec3 right = view.handles()->tilts[0];
+  quarter();
+  EXPECT_EQ(view.plane(), ResectionPlane(facing));
+  EXPECT_NEAR(angleOf(right, view.handles()->tilts[0]), -std::numbers::pi / 2, 0.01);
+
+  const Bend bend = flatBend(facing, 60);
+  view.setPlane(ResectionPlane(facing, bend));
+  QSignalSpy finished(&view, &ModelView::planeDragFinished);
+  quarter();
+  EXPECT_EQ(finished.count(), 1);
+  EXPECT_EQ(view.plane()->normal, facing.normal);
+  EXPECT_EQ(view.plane()->bend->heightsMm, bend.heightsMm);
+  EXPECT_NEAR(angleOf(bend.u, view.plane()->bend->u), -std::numbers::pi / 2, 0.01);
+  QTest::keyClick(&view, Qt::Key_Home);
+  EXPECT_NEAR(angleOf(bend.u, view.plane()->bend->u), -std::numbers::pi / 2 + std::numbers::pi / 180, 0.01);
+  EXPECT_EQ(finished.count(), 2);
+}
+
 TEST_F(ModelViewTest, EscapeTakesADragBack) {
   const HalfSpace start{Vec3(3, 0, 0), Vec3::UnitX()};
   view.setPlane(start);

@@ -108,6 +108,8 @@ TEST(PlaneHandlesTest, EachHandleIsFoundAtItsOwnPixelAndNothingElsewhere) {
   EXPECT_EQ(handleAt(layout, camera, camera.toPixel(layout.arrowTip)), PlaneHandle::Normal);
   EXPECT_EQ(handleAt(layout, camera, camera.toPixel(layout.tilts[0])), PlaneHandle::TiltRight);
   EXPECT_EQ(handleAt(layout, camera, camera.toPixel(layout.tilts[3])), PlaneHandle::TiltDown);
+  EXPECT_TRUE(layout.spinShown);
+  EXPECT_EQ(handleAt(layout, camera, camera.toPixel(layout.spin)), PlaneHandle::Spin);
   EXPECT_EQ(handleAt(layout, camera, Pixel(20, 20)), std::nullopt);
 }
 

@@ -119,6 +119,7 @@ TEST(CliPlan, TerritoriesCanBePickedOrReadFromAMapOfSegments) {
     total += part["volumeMl"].get<double>();
   }
   EXPECT_NEAR(total, map["totalMl"].get<double>(), 1e-9);
+  EXPECT_EQ(Json::parse(cli({"plan", file, "--territories", "--json"}).out)["estimates"], map["estimates"]) << "the case keeps it";
   const TemporaryFolder untouched;
   EXPECT_NE(cli({"plan", copyOfCase(untouched), "--territories"}).out.find("--confirm-territories"), std::string::npos);
 }

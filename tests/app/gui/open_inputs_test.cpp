@@ -143,6 +143,18 @@ TEST_F(OpenInputsTest, AFolderOfMasksBesideTheCtOpensAsOnePatient) {
   EXPECT_EQ(opened.content.model->structures.size(), 7U);
 }
 
+TEST_F(OpenInputsTest, ThePictureOfLabelsThat3DIrcadbShipsIsNoSecondCt) {
+  const auto patient = folder_ / "3Dircadb1.1";
+  std::filesystem::create_directories(patient);
+  std::filesystem::copy(folder_ / "dicom", patient / "PATIENT_DICOM");
+  std::filesystem::copy(folder_ / "dicom", patient / "LABELLED_DICOM");
+  std::filesystem::copy_file(folder_ / "segmentation.seg.nrrd", patient / "masks.seg.nrrd");
+  const OpenedCase opened = open({patient});
+  ASSERT_TRUE(opened.content.ct);
+  EXPECT_EQ(opened.content.ct->source, (patient / "PATIENT_DICOM").string());
+  EXPECT_EQ(opened.content.model->structures.size(), 7U);
+}
+
 TEST_F(OpenInputsTest, OrganFilesWithTheirCtBesideThemOpenAsOnePatient) {
   const auto patient = folder_ / "organs";
   test::writeCube<std::int16_t>(patient / "scan.nrrd", 100, -900);

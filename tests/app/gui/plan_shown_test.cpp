@@ -1,6 +1,7 @@
 // What the window shows of a plan: territories in the 3D view, the area of the cut, several resections, where vessels are crossed.
 
 #include <QCheckBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -14,6 +15,8 @@
 #include "main_window_test.h"
 #include "pdf_text.h"
 #include "planning/report/compare_plans.h"
+#include "planning/storage/case_file.h"
+#include "reconstruction/sample/volume_writers.h"
 #include "tests/planning/territories/fork.h"
 #include "tests/viewer/kept_picture.h"
 
@@ -49,6 +52,53 @@ class PlanShown : public test::MainWindowTest {
     test::kept(pictureOf(*window), name);
   }
 };
+
+TEST_F(PlanShown, AMapOfSegmentsIsReadKeptUndoneAndMissedWhenItsFileChanges) {
+  const Case fork = test::forkCase(Vec3(2, 2, 2));
+  const ImageGeometry& grid = fork.segmentation->geometry;
+  const auto file = std::filesystem::path(folder.filePath("segments.nii").toStdString());
+  const auto writeMap = [&](std::uint8_t right) {  // the patient's right and left half of the grid
+    std::vector<std::uint8_t> values(grid.voxelCount(), 2);
+    for (std::size_t n = 0; n < values.size(); ++n) {
+      values[n] = static_cast<int>(n) % grid.size[0] < grid.size[0] / 2 ? right : 2;
+    }
+    sample::writeNifti(file, grid, values);
+  };
+  writeMap(7);
+  emit window->opener().opened(fork, nullptr, {});
+  ASSERT_TRUE(settle());
+  find<QPushButton>("estimateTerritories")->click();
+  auto* table = find<QTreeWidget>("territoryTable");
+  const auto first = [&] { return table->topLevelItemCount() > 0 ? table->topLevelItem(0)->text(0) : QString(); };
+  ASSERT_TRUE(waitFor([&] { return first() == "left" && table->isEnabled(); }));
+  find<QPushButton>("segmentTerritories")->click();
+  auto* dialog = find<QFileDialog>("segmentMapDialog");
+  emit dialog->fileSelected(QString::fromStdString(file.string()));
+  dialog->close();
+  ASSERT_TRUE(waitFor([&] { return first() == "segment 2" && table->isEnabled(); }));
+  EXPECT_EQ(table->topLevelItem(1)->text(0), "segment 7");
+  EXPECT_FALSE(find<QCheckBox>("showTerritories")->isEnabled());
+  EXPECT_FALSE(find<QWidget>("confirmTerritories")->isVisibleTo(window.get()));
+  EXPECT_EQ(document().undoStack().undoText(), "choose map of segments");
+  ASSERT_TRUE(document().content().territories.segments);
+  EXPECT_EQ(document().content().territories.segments->path, file.string());
+  keepPicture("territories_segments", "territoryBox");
+  document().flush();
+  const auto stored = CaseFile::open(document().path()).load();
+  EXPECT_EQ(stored.territories, document().content().territories);
+
+  document().undoStack().undo();
+  ASSERT_TRUE(waitFor([&] { return first() == "left" && table->isEnabled(); }));
+  document().undoStack().redo();
+  ASSERT_TRUE(waitFor([&] { return first() == "segment 2" && table->isEnabled(); }));
+  document().undoStack().undo();
+  ASSERT_TRUE(waitFor([&] { return first() == "left" && table->isEnabled(); }));
+  writeMap(8);
+  document().undoStack().redo();
+  auto* notes = find<QLabel>("territoryNotes");
+  ASSERT_TRUE(waitFor([&] { return notes->text().contains("its files have changed") && table->isEnabled(); }));
+  EXPECT_EQ(first(), "left") << "proposed, and not another map under the old one's name";
+}
 
 TEST_F(PlanShown, ProposedLeftAndRightAreSeenInTheColoursOfTheirRowsBeforeTheyAreConfirmed) {
   emit window->opener().opened(test::forkCase(Vec3(2, 2, 2)), nullptr, {});

@@ -261,6 +261,38 @@ TEST(Bend, WhatIsNoSurfaceIsRefusedAndThePlanStays) {
   EXPECT_THROW(BentSurface(ResectionPlane(kOblique)), PlanningError);
 }
 
+TEST(Bend, SpinningTurnsTheSurfaceAboutTheNormalThroughAPointAndLeavesAFlatPlane) {
+  const ResectionPlane bent(kOblique, randomBend(kOblique, 5));
+  const Vec3 pivot = kOblique.origin + 12 * bent.bend->u + 30 * kOblique.normal;
+  const double angle = 0.7;
+  const ResectionPlane turned = spun(bent, pivot, angle);
+  const Eigen::AngleAxisd turn(angle, kOblique.normal);
+  std::mt19937 random(3);
+  for (int n = 0; n < 50; ++n) {
+    const Vec3 p = kOblique.origin + randomPoint(random, 80);
+    EXPECT_NEAR(heightAbove(turned, pivot + turn * (p - pivot)), heightAbove(bent, p), 1e-9);
+  }
+  const ResectionPlane back = spun(turned, pivot, -angle);
+  EXPECT_NEAR((back.origin - bent.origin).norm(), 0, 1e-12);
+  EXPECT_NEAR((back.bend->u - bent.bend->u).norm(), 0, 1e-12);
+  EXPECT_EQ(spun(kOblique, pivot, angle), ResectionPlane(kOblique));
+}
+
+TEST(Bend, ASpinIsAnEditOfABentPlaneOnly) {
+  const ResectionPlane bent(kOblique, randomBend(kOblique, 5));
+  const ResectionPlane turned = spun(bent, kOblique.origin + 9 * bent.bend->u, -1.2);
+  const ResectionPlan plan{"Plan 1", {{"Resection 1", {bent, kOblique}}}, 10};
+  const SpinPlane edit{0, 0, turned.bend->u, turned.origin};
+  EXPECT_EQ(nameOf(plan, edit), "spin plane 1");
+  const ResectionPlane made = apply(plan, edit).resections[0].planes[0];
+  EXPECT_NEAR((made.origin - turned.origin).norm(), 0, 1e-12);
+  EXPECT_NEAR((made.bend->u - turned.bend->u).norm(), 0, 1e-12);
+  EXPECT_EQ(made.bend->heightsMm, bent.bend->heightsMm);
+  EXPECT_THROW(apply(plan, SpinPlane{0, 1, turned.bend->u, turned.origin}), PlanningError);
+  EXPECT_THROW(apply(plan, SpinPlane{0, 0, kOblique.normal, turned.origin}), PlanningError);
+  EXPECT_THROW(apply(plan, SpinPlane{0, 0, turned.bend->u, Vec3::Constant(NAN)}), PlanningError);
+}
+
 TEST(Bend, EditsBendMoveAndFlattenUnderTheirNames) {
   ResectionPlan plan{"Plan 1", {{"Resection 1", {kOblique, HalfSpace()}}}, 10};
   const Bend bend = randomBend(kOblique, 9);

@@ -67,6 +67,9 @@ TEST(MarkedBranches, WhatIsNoMarkIsRefused) {
   EXPECT_THROW(validate(TerritoryMarks{{{"", {Vec3(0, 0, 0)}}}, false}), PlanningError);
   EXPECT_THROW(validate(TerritoryMarks{{{"a", {}}}, false}), PlanningError);
   EXPECT_THROW(validate(TerritoryMarks{{{"a", {Vec3(0, std::numeric_limits<double>::infinity(), 0)}}}, false}), PlanningError);
+  EXPECT_THROW(validate(TerritoryMarks{{{"a", {Vec3(1, 2, 3)}}}, false, SegmentMapFile{"/a.nii", ""}}), PlanningError);
+  EXPECT_THROW(validate(TerritoryMarks{{}, false, SegmentMapFile{}}), PlanningError);
+  EXPECT_NO_THROW(validate(TerritoryMarks{{}, false, SegmentMapFile{"/a.nii", ""}}));
   EXPECT_NO_THROW(validate(TerritoryMarks()));
   const std::vector<Vec3> many(100, Vec3(1, 2, 3));
   TerritoryMarks most{std::vector<TerritoryMark>(100, {"a", many}), false};

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "fork.h"
-#include "planning/territories/territories.h"
+#include "planning/territories/marked_branches.h"
+#include "planning/territories/segment_map.h"
 #include "planning/volumetry/assessment.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/sample/volume_writers.h"
 
 namespace glisson {
 namespace {
@@ -132,6 +135,33 @@ TEST(TerritoryVolumes, SegmentMapGivesItsPartsAndWhatItLeavesOut) {
   EXPECT_EQ(volumes[2].name, "unassigned");
   EXPECT_NEAR(volumes[2].volumeMl, 10 * 40 * 60 * 1e-3, 1e-9);
   EXPECT_EQ(voxelsOf(made), source.liver->liver.count());
+}
+
+TEST(TerritoryVolumes, AMapThatACaseKeepsIsReadAgainUntilItsFilesChange) {
+  const Case& source = forkCase();
+  const VesselGraph portal = portalOf(source);
+  const auto folder = std::filesystem::temp_directory_path() / ("glisson_segments_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  std::vector<std::uint8_t> labels(source.liver->geometry.voxelCount(), 4);
+  sample::writeNifti(folder / "liver_segment_4.nii", source.liver->geometry, labels);
+  const SegmentMapFile file = segmentMapFile(folder / "liver_segment_4.nii");
+  const SegmentMapFile whole = segmentMapFile(folder);
+  EXPECT_NE(file.sha256, whole.sha256);
+  const Territories fresh = segmentTerritories(source, file);
+  ASSERT_EQ(fresh.parts.size(), 1U);
+  EXPECT_EQ(fresh.parts[0].name, "segment 4");
+  for (const SegmentMapFile& map : {file, whole}) {
+    const TerritoryChoice choice = choiceOf({.marks = {}, .segments = map}, portal);
+    EXPECT_EQ(marksOf(choice, portal).segments, map);
+    EXPECT_EQ(voxelsOf(territoriesOf(source, portal, choice)), source.liver->liver.count());
+  }
+  labels.front() = 5;
+  sample::writeNifti(folder / "liver_segment_4.nii", source.liver->geometry, labels);
+  EXPECT_THROW(territoriesOf(source, portal, segmentChoice(file)), InputError);
+  EXPECT_THROW(territoriesOf(source, portal, segmentChoice(whole)), InputError);
+  std::filesystem::remove_all(folder);
+  EXPECT_THROW(territoriesOf(source, portal, segmentChoice(file)), InputError);
+  EXPECT_THROW(segmentMapFile(folder), InputError);
 }
 
 TEST(TerritoryVolumes, SegmentMapOnAnotherGridOrWithoutSegmentsIsRefused) {
