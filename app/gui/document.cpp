@@ -202,8 +202,8 @@ void Document::prepareAssessor() {
   request.fail = [this](const std::exception& error) { emit storeFailed(messageOf(error)); };
   preparing_ = submitFor<Assessor>(
       jobs_, std::move(request),
-      [content = case_](const ExecutionContext&) {
-        return Assessor{std::make_shared<const PlanAssessor>(content), std::make_shared<const TumourDistance>(content),
+      [content = case_](const ExecutionContext& context) {
+        return Assessor{std::make_shared<const PlanAssessor>(content, context), std::make_shared<const TumourDistance>(content),
                         voxelCentre(content.liver->liver, content.liver->geometry)};
       },
       [this](Assessor made) {

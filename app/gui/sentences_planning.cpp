@@ -245,6 +245,7 @@ constexpr auto kRows = std::to_array<SentenceRow>({
               "Sentence", "The proposed left side has %1 % of the portal branches' length, which is unusual; look at it closely.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1: the portal vein has no branch %2; it has 0 to %3.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1: branch %2 is picked twice; name it once.")},
+    {"", QT_TRANSLATE_NOOP("Sentence", "%1 is what the branches without a name are called; give another name.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "%1 owns nothing of the liver; pick a branch that supplies it.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "No branch of the portal vein is picked; pick branches, or give a map of segments 1 to 8.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The map of segments is not at %1; choose it again.")},

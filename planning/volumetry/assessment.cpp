@@ -96,7 +96,7 @@ std::string resectionName(const Resection& resection, std::size_t index) {
 }
 }  // namespace
 
-PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>()) {
+PlanAssessor::PlanAssessor(const Case& source, const ExecutionContext& context) : impl_(std::make_unique<Impl>()) {
   impl_->geometry = source.liver->geometry;
   impl_->liver = Body(source.liver->liver, impl_->geometry.spacing);
   impl_->lesionsInLiver = Body(source.liver->tumour, impl_->geometry.spacing, &source.liver->liver);
@@ -106,6 +106,7 @@ PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>())
   }
   impl_->modelRevision = source.model->revision;
   for (const Structure& structure : source.model->structures) {
+    context.throwIfCancelled();
     const auto& masks = source.segmentation->structures;
     if (structure.sourceIndex < 0 || static_cast<std::size_t>(structure.sourceIndex) >= masks.size()) {
       continue;
@@ -117,7 +118,7 @@ PlanAssessor::PlanAssessor(const Case& source) : impl_(std::make_unique<Impl>())
       impl_->near.emplace_back(impl_->tumours.back().body.rows, impl_->liver.rows, impl_->liver.blocks, impl_->geometry.spacing);
     } else if (mask && isVessel(structure.kind)) {
       impl_->vessels.push_back({structure.id, structure.name, Body(*mask, impl_->geometry.spacing, &source.liver->liver)});
-      impl_->balls.emplace_back(*mask, impl_->geometry.spacing);
+      impl_->balls.emplace_back(*mask, impl_->geometry.spacing, context);
     }
   }
 }

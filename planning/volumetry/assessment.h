@@ -88,7 +88,8 @@ struct PlanAssessment {
 /// Precomputes run-length rows of L, T, F and the vessels once per case; const and thread-safe afterwards.
 class PlanAssessor {
  public:
-  explicit PlanAssessor(const Case& source);
+  /// Polls cancel per structure, and within a vessel per axis.
+  explicit PlanAssessor(const Case& source, const ExecutionContext& context = {});
   ~PlanAssessor();
   PlanAssessor(PlanAssessor&&) noexcept;
   PlanAssessor& operator=(PlanAssessor&&) noexcept;

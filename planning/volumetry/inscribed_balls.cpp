@@ -54,11 +54,11 @@ std::vector<double> inscribedRadii(const Mask& mask, const Vec3& spacing, const 
   return radii;
 }
 
-InscribedBalls::InscribedBalls(const Mask& mask, const Vec3& spacing)
+InscribedBalls::InscribedBalls(const Mask& mask, const Vec3& spacing, const ExecutionContext& context)
     : spacing_(spacing),
       voxels_(rowsOf(mask)),
       table_(voxels_.runs.size(), [this](std::size_t n) { return voxels_.runs[n]; }),
-      radii_(inscribedRadii(mask, spacing)) {
+      radii_(inscribedRadii(mask, spacing, context)) {
   begins_.reserve(voxels_.runs.size());
   std::size_t begin = 0;
   for (const RowRun& run : voxels_.runs) {

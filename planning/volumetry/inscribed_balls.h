@@ -15,7 +15,8 @@ std::vector<double> inscribedRadii(const Mask& mask, const Vec3& spacing, const 
 /// The balls of one mask, to be asked by voxel; const once built.
 class InscribedBalls {
  public:
-  InscribedBalls(const Mask& mask, const Vec3& spacing);
+  /// Polls cancel per axis.
+  InscribedBalls(const Mask& mask, const Vec3& spacing, const ExecutionContext& context = {});
 
   /// Of the ball around the voxel's centre; 0 outside the mask.
   [[nodiscard]] double radiusAt(const Index3& voxel) const;

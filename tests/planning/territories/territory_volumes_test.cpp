@@ -111,6 +111,7 @@ TEST(TerritoryVolumes, PicksThatMakeNoSenseAreRefused) {
     EXPECT_THROW(territoriesOf(*source.liver, portal, choice), UsageError);
   };
   refused({});
+  refused({{std::string(kNotPicked), {0}}});
   refused({{"a", {99}}});
   refused({{"a", {-1}}});
   refused({{"a", {1}}, {"b", {1}}});
