@@ -3,9 +3,11 @@
 //   drag_numbers CASE.glisson [STEPS]     2,000 steps; make the case with glisson-cli model
 // Prints median, 99th percentile and worst of PlanAssessor::assessMoving() (every mouse move: volumes, tumours, vessels), of
 // volumes() alone (what is left of it where the rest does not fit into a frame) and of cutting the parenchyma's mesh by the plane;
-// both also with the plane bent, its heights waving by up to 25 mm. Exit code 4 where assessMoving() of the flat plane
+// both also with the plane bent, its heights waving by up to 25 mm; all numbers also with the plane as one side of a wedge, and
+// beside a second resection. Exit code 4 where assessMoving() of the flat plane
 // passes 16 ms at the 99th percentile.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -42,13 +44,17 @@ double tell(const char* what, std::vector<double> times) {
   return p99;
 }
 
+/// Of the liver's box, in voxels.
+Vec3 middleOf(const Case& source, double along = 0.5) {
+  const IndexBox& box = source.liver->liver.box();
+  return Vec3(box.first[0], box.first[1], box.first[2]) +
+         Vec3(box.size[0], box.size[1], box.size[2]).cwiseProduct(Vec3(along, 0.5, 0.5));
+}
+
 ResectionPlan planAt(const Case& source, double share) {
   const LiverVoxels& liver = *source.liver;
-  const IndexBox& box = liver.liver.box();
-  const Vec3 first(box.first[0], box.first[1], box.first[2]);
-  const Vec3 size(box.size[0], box.size[1], box.size[2]);
   const double turn = 2 * std::numbers::pi * share;
-  const Vec3 at = first + size.cwiseProduct(Vec3(0.5 + 0.48 * std::sin(turn), 0.5, 0.5));
+  const Vec3 at = middleOf(source, 0.5 + 0.48 * std::sin(turn));
   const Vec3 normal = Vec3(1, 0.5 * std::sin(7 * turn), 0.3 * std::cos(5 * turn)).normalized();
   ResectionPlan plan;
   plan.resections.push_back({.name = "Resection 1", .planes = {{liver.geometry.toWorld(at), normal}}});
@@ -66,6 +72,20 @@ ResectionPlan bentAt(const Case& source, double share) {
   return plan;
 }
 
+/// The same plane and one across it through the liver's middle: a wedge, or two resections.
+ResectionPlan besideAnother(const Case& source, double share, bool wedge) {
+  ResectionPlan plan = planAt(source, share);
+  const ResectionPlane& moved = plan.resections[0].planes[0];
+  const Vec3 across = moved.normal.cross(Vec3::UnitX()).normalized();
+  const ResectionPlane other(source.liver->geometry.toWorld(middleOf(source)), across);
+  if (wedge) {
+    plan.resections[0].planes.push_back(other);
+  } else {
+    plan.resections.push_back({.name = "Resection 2", .planes = {other}});
+  }
+  return plan;
+}
+
 int run(const std::string& path, int steps) {
   const Case source = CaseFile::open(path).load();
   const PlanAssessor assessor(source);
@@ -75,6 +95,8 @@ int run(const std::string& path, int steps) {
   std::vector<double> whole;
   std::vector<double> bentVolumes;
   std::vector<double> bentWhole;
+  std::vector<double> wedges;
+  std::vector<double> pairs;
   for (int n = 0; n < steps; ++n) {
     const ResectionPlan plan = planAt(source, static_cast<double>(n) / steps);
     const ResectionPlan bent = bentAt(source, static_cast<double>(n) / steps);
@@ -93,10 +115,16 @@ int run(const std::string& path, int steps) {
     }
     whole.push_back(milliseconds([&] { (void)assessor.assessMoving(plan); }));
     bentWhole.push_back(milliseconds([&] { (void)assessor.assessMoving(bent); }));
+    for (const bool wedge : {true, false}) {
+      const ResectionPlan both = besideAnother(source, static_cast<double>(n) / steps, wedge);
+      (wedge ? wedges : pairs).push_back(milliseconds([&] { (void)assessor.assessMoving(both); }));
+    }
   }
   std::printf("| numbers | steps | median ms | p99 ms | worst ms |\n|---|---|---|---|---|\n");
   const double p99 = tell("all numbers", whole);
   tell("all numbers of a bent plane", bentWhole);
+  tell("all numbers of a wedge", wedges);
+  tell("all numbers of two resections", pairs);
   tell("volumes alone", volumes);
   tell("volumes alone of a bent plane", bentVolumes);
   if (!cuts.empty()) {
