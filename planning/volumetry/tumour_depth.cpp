@@ -11,51 +11,12 @@
 #include <span>
 #include <utility>
 
+#include "planning/volumetry/convex_projection.h"
+
 namespace glisson {
 
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// The nearest point of a convex region by its optimality conditions: some one, two or three planes are active, the step to it is a
-/// sum of their normals with positive weights, and it lies in all half-spaces. Infinity where the region is empty.
-void keepProjection(const Vec3& p, const std::vector<ImagePlane>& planes, double& best, Vec3& normal) {
-  const std::size_t count = planes.size();
-  const auto inside = [&](const Vec3& q) {
-    return std::all_of(planes.begin(), planes.end(), [&](const ImagePlane& plane) { return plane.distance(q) >= -kOnPlaneMm; });
-  };
-  if (inside(p)) {
-    best = 0;
-    return;
-  }
-  const auto tryActive = [&](const std::vector<std::size_t>& active) {
-    const auto size = static_cast<Eigen::Index>(active.size());
-    Eigen::MatrixXd normals(3, size);
-    Eigen::VectorXd missing(size);
-    for (Eigen::Index n = 0; n < size; ++n) {
-      normals.col(n) = planes[active[static_cast<std::size_t>(n)]].normal;
-      missing[n] = -planes[active[static_cast<std::size_t>(n)]].distance(p);
-    }
-    const Eigen::FullPivLU<Eigen::MatrixXd> gram(normals.transpose() * normals);
-    if (!gram.isInvertible()) {
-      return;
-    }
-    const Eigen::VectorXd weights = gram.solve(missing);
-    const Vec3 step = normals * weights;
-    if (weights.minCoeff() >= 0 && step.norm() < best && inside(p + step)) {
-      best = step.norm();
-      normal = step / best;
-    }
-  };
-  for (std::size_t a = 0; a < count; ++a) {
-    tryActive({a});
-    for (std::size_t b = a + 1; b < count; ++b) {
-      tryActive({a, b});
-      for (std::size_t c = b + 1; c < count; ++c) {
-        tryActive({a, b, c});
-      }
-    }
-  }
-}
 
 /// What the distance of a point outside to the surface surely does not pass: that of a point of it, where the plane that touches it
 /// over the point would be met.

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "planning/volumetry/assessment.h"
+#include "planning/volumetry/convex_projection.h"
 #include "tests/planning/voxel_bodies.h"
 #include "tests/support/trials.h"
 
@@ -59,6 +60,37 @@ double distanceTo(const ImageResection& resection, const Vec3& p) {
     }
   }
   return (at - p).norm();
+}
+
+TEST(TumourDepth, TheWayToUpToFourHalfSpacesIsThatOfRepeatedProjection) {
+  std::mt19937 random(17);
+  std::normal_distribution<double> normal;
+  const auto any = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+  int inside = 0;
+  for (int n = 0; n < test::trials(400); ++n) {
+    ImageResection resection;
+    const Vec3 common = 5 * any();  // a point of all of them: the intersection is not empty
+    for (int plane = 0; plane <= n % 4; ++plane) {
+      const Vec3 along = any().normalized();
+      resection.planes.push_back({along, -along.dot(common) + std::abs(normal(random))});
+    }
+    const Vec3 p = 10 * any();
+    double depth = 1e9;
+    Vec3 along = Vec3::Zero();
+    keepProjection(p, resection.planes, depth, along);
+    EXPECT_NEAR(depth, distanceTo(resection, p), 2e-3) << n;
+    inside += depth == 0 ? 1 : 0;
+    for (const ImagePlane& plane : resection.planes) {
+      EXPECT_GE(plane.distance(p + depth * along), -1e-6) << n;
+    }
+  }
+  EXPECT_GT(inside, 0);
+  const std::vector<ImagePlane> apart{{Vec3::UnitX(), -1}, {-Vec3::UnitX(), -1}};  // x >= 1 and x <= -1
+  double depth = 7;
+  Vec3 along = Vec3::UnitZ();
+  keepProjection(Vec3::Zero(), apart, depth, along);
+  EXPECT_EQ(depth, 7);
+  EXPECT_EQ(along, Vec3(Vec3::UnitZ()));
 }
 
 TEST(TumourDepth, UnderSeveralResectionsIsWhatAllPointsOfItsBoxesGive) {
