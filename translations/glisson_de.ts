@@ -2869,6 +2869,30 @@
         <source>no triangle can be spared within %1 mm</source>
         <translation>innerhalb von %1 mm ist kein Dreieck zu entbehren</translation>
     </message>
+    <message>
+        <source>A map of segments needs its path, and no branches beside it; choose the map again.</source>
+        <translation>Eine Segmentkarte braucht ihren Pfad und keine Äste daneben; wählen Sie die Karte neu.</translation>
+    </message>
+    <message>
+        <source>A flat plane is the same however it is turned about its normal; bend it first.</source>
+        <translation>Eine flache Ebene bleibt dieselbe, wie man sie auch um ihre Normale dreht; biegen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>spin plane %1 of %2</source>
+        <translation>Ebene %1 von %2 um die Normale drehen</translation>
+    </message>
+    <message>
+        <source>spin plane %1</source>
+        <translation>Ebene %1 um die Normale drehen</translation>
+    </message>
+    <message>
+        <source>spin plane</source>
+        <translation>Ebene um die Normale drehen</translation>
+    </message>
+    <message>
+        <source>The map of segments at %1 does not say any more what it said when it was chosen; choose it again.</source>
+        <translation>Die Segmentkarte unter %1 sagt nicht mehr, was sie bei der Wahl sagte; wählen Sie sie neu.</translation>
+    </message>
 </context>
 <context>
     <name>StructureKind</name>
@@ -3230,6 +3254,10 @@
     <message>
         <source>edit structures</source>
         <translation>Strukturen bearbeiten</translation>
+    </message>
+    <message>
+        <source>choose map of segments</source>
+        <translation>Segmentkarte wählen</translation>
     </message>
 </context>
 <context>
@@ -4060,6 +4088,14 @@
     <message>
         <source>&amp;Map of the cut</source>
         <translation>Schnitt&amp;karte</translation>
+    </message>
+    <message>
+        <source>&amp;Spin about its normal</source>
+        <translation>Um die &amp;Normale drehen</translation>
+    </message>
+    <message>
+        <source>Spin &amp;back</source>
+        <translation>Um die Normale &amp;zurückdrehen</translation>
     </message>
 </context>
 <context>
@@ -5625,6 +5661,34 @@ L %2</translation>
     <message>
         <source>Show the branches in the 3D view and look at them first.</source>
         <translation>Zeigen Sie die Äste in der 3D-Ansicht und sehen Sie sie zuerst an.</translation>
+    </message>
+    <message>
+        <source>segment %1</source>
+        <translation>Segment %1</translation>
+    </message>
+    <message>
+        <source>Choose a map of liver segments 1 to 8</source>
+        <translation>Karte der Lebersegmente 1 bis 8 wählen</translation>
+    </message>
+    <message>
+        <source>Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd)</source>
+        <translation>Label-Karten (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Segments from a file...</source>
+        <translation>Segmente aus einer Datei...</translation>
+    </message>
+    <message>
+        <source>A map with labels 1 to 8 on the grid of the CT, instead of branches; the case keeps where it lies</source>
+        <translation>Eine Karte mit den Labels 1 bis 8 auf dem Raster der CT statt Ästen; der Fall merkt sich, wo sie liegt</translation>
+    </message>
+    <message>
+        <source>The segments of a map hang on no branches.</source>
+        <translation>Die Segmente einer Karte hängen an keinen Ästen.</translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,9 @@ void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
   if (plan == d.plan && choice == d.choice) {
     return;
   }
+  if (choice != d.choice || !d.plane) {
+    d.spun = 0;
+  }
   if (choice != d.choice) {
     d.hoveredPoint.reset();
     d.keyedPoint.reset();
@@ -71,6 +74,7 @@ void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
   d.plane.reset();
   if (choice.resection < d.plan.resections.size() && choice.plane < d.plan.resections[choice.resection].planes.size()) {
     d.plane = d.plan.resections[choice.resection].planes[choice.plane];
+    d.spun = d.plane->bend ? 0 : d.spun;
   }
   if (redraw) {
     d.showPlan();
@@ -91,6 +95,9 @@ void ModelView::setPlan(ResectionPlan plan, const PlaneChoice& choice) {
 }
 
 void ModelView::cancelDrag() {
+  if (impl_->drag) {
+    impl_->spun = impl_->spunFrom;
+  }
   impl_->drag.reset();
   impl_->bendDrag.reset();
   impl_->sectionStale = true;

@@ -170,7 +170,9 @@ void ModelView::Impl::prepareFrame(FrameQuality quality) {
   planeActors.setVisible(plane.has_value() && handlesShown);
   if (plane) {
     updateSection(quality == FrameQuality::Moving);
-    planeActors.placeHandles(*plane, layout(), drag ? std::optional(drag->handle()) : hovered, handlesShown && !canBend());
+    if (handlesShown) {
+      planeActors.placeHandles(*plane, layout(), drag ? std::optional(drag->handle()) : hovered, !canBend());
+    }
     planeActors.placeControlPoints(canBend() ? &*plane : nullptr, highlightedPoints(), layout().mmPerPixel);
   } else {
     planeActors.placeControlPoints(nullptr, {}, 1);

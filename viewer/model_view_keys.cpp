@@ -1,5 +1,6 @@
 // The keyboard of the 3D view: steps of the resection plane, standard views, Escape.
 
+#include <Eigen/Geometry>
 #include <QKeyEvent>
 #include <numbers>
 

@@ -162,13 +162,9 @@ Vec3 PlaneDrag::inPicture(const Pixel& mouse) const {
 }
 
 Vec3 PlaneDrag::onPlane(const Pixel& mouse) const {
-  const Ray sight = camera_.rayAt(mouse);
-  const double across = sight.direction.dot(start_.normal);
-  if (std::abs(across) < 0.5 * kLeastFacing) {
-    const Vec3 beside = inPicture(mouse);  // the line of sight hardly meets the plane
-    return beside - start_.normal.dot(beside - anchor_) * start_.normal;
-  }
-  return sight.origin + (start_.normal.dot(anchor_ - sight.origin) / across) * sight.direction;
+  // Along the camera's direction, which the plane faces: in perspective the line of sight itself may miss it.
+  const Vec3 beside = inPicture(mouse);
+  return beside + (start_.normal.dot(anchor_ - beside) / start_.normal.dot(camera_.forward)) * camera_.forward;
 }
 
 Vec3 PlaneDrag::onSphere(const Pixel& mouse) const {

@@ -69,7 +69,7 @@ class PlaneDrag {
  private:
   [[nodiscard]] HalfSpace movedAt(const Pixel& mouse) const;
   [[nodiscard]] Vec3 inPicture(const Pixel& mouse) const;
-  [[nodiscard]] Vec3 onPlane(const Pixel& mouse) const;
+  [[nodiscard]] Vec3 onPlane(const Pixel& mouse) const;  ///< of Spin
   [[nodiscard]] Vec3 onSphere(const Pixel& mouse) const;
 
   PlaneHandle handle_;

@@ -23,6 +23,9 @@ TerritoryPick pickOf(const std::string& text) {
   }
   TerritoryPick pick;
   pick.name = text.substr(0, equals);
+  if (pick.name == kNotPicked) {
+    throw UsageError("--territory " + text + ": \"not picked\" is what the branches without a name are called; give another name");
+  }
   std::istringstream parts(text.substr(equals + 1));
   for (std::string part; std::getline(parts, part, ',');) {
     const auto number = parseInteger(part);
@@ -123,9 +126,8 @@ void checkTerritoryFlags(const TerritoryFlags& flags) {
 TerritoryCommand::TerritoryCommand(const Case& source, const TerritoryFlags& flags, const ExecutionContext& context)
     : perfusion_(source, context.range(0, 0.8)), marks_(source.territories), notes_(perfusion_.notes()) {
   if (!flags.segments.empty()) {
-    const SegmentMapFile map = segmentMapFile(flags.segments);
-    territories_ = segmentTerritories(source, map, readOptions(flags.input), context.range(0.8, 1.0));
-    marks_ = {.marks = {}, .segments = map};
+    territories_ = segmentTerritories(source, flags.segments, readOptions(flags.input), context.range(0.8, 1.0));
+    marks_ = {.marks = {}, .segments = segmentMapFile(flags.segments, territories_)};
   } else {
     const TerritoryChoice choice = choiceOf(flags, source.territories, perfusion_.portal());
     if (choice.picks.empty() && !choice.segments) {

@@ -179,7 +179,9 @@ void Document::endDrag(const ResectionPlane& plane) {
   beforeDrag_.reset();
   const std::optional<ResectionPlane> from = this->plane();
   if (from && *from == plane) {
-    setPlans(case_.plans, chosen_, {});  // a click on a handle moves nothing and is no step
+    emit planChanged();  // a click on a handle moves nothing and is no step
+    assessInFrame();
+    assessAll();
     return;
   }
   if (!from) {

@@ -119,6 +119,7 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
   parts_->setFixedHeight(kListHeight);
   perfusion_->setWordWrap(true);
   notes_->setWordWrap(true);
+  notes_->setTextFormat(Qt::PlainText);  // a path from a case file stands in them
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(4, 2, 4, 4);
   grid->addWidget(estimate_, 0, 0, 1, 2);

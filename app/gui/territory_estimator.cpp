@@ -34,16 +34,17 @@ Territories nothingOf(const Case& content, const TerritoryChoice& choice) {
   return none;
 }
 
-/// The liver as `choice` divides it; a new map of segments gets its hash. Where one that the case keeps cannot be had any more,
-/// `choice` becomes the proposal.
+/// The liver as `choice` divides it; a new map of segments gets its fingerprint. Where one that the case keeps cannot be had any
+/// more, `choice` becomes the proposal.
 std::shared_ptr<const Territories> divided(const Case& content, const VesselGraph& portal, TerritoryChoice& choice, bool kept,
                                            const ExecutionContext& context) {
   if (!choice.segments) {
     return std::make_shared<const Territories>(territoriesOf(content, portal, choice, context));
   }
   if (!kept) {
-    choice.segments = segmentMapFile(choice.segments->path);
-    return std::make_shared<const Territories>(segmentTerritories(content, *choice.segments, {}, context));
+    auto read = std::make_shared<const Territories>(segmentTerritories(content, choice.segments->path, {}, context));
+    choice.segments = segmentMapFile(choice.segments->path, *read);
+    return read;
   }
   try {
     return std::make_shared<const Territories>(territoriesOf(content, portal, choice, context));
@@ -68,7 +69,7 @@ TerritoryEstimator::TerritoryEstimator(JobRunner& jobs, Document& document, QObj
     }
   });
   connect(&document_, &Document::territoriesChanged, this, [this] {
-    if (perfusion_ && !(marksOf(choice_, perfusion_->portal()) == document_.content().territories)) {  // undone, or done again
+    if (perfusion_ && !(divided_ == document_.content().territories)) {  // undone, or done again
       divide(choiceOf(document_.content().territories, perfusion_->portal()));
     }
   });
@@ -95,6 +96,7 @@ void TerritoryEstimator::become(State state) {
 void TerritoryEstimator::forget() {
   perfusion_.reset();
   choice_ = {};
+  divided_ = {};
   territories_.reset();
   tumours_.clear();
   report_.reset();
@@ -164,8 +166,9 @@ void TerritoryEstimator::pick(const Vec3& pointMm) {
 }
 
 void TerritoryEstimator::keep(const QString& step) {
+  divided_ = step.isEmpty() ? document_.content().territories : marksOf(choice_, perfusion_->portal());
   if (!step.isEmpty()) {
-    document_.setTerritories(marksOf(choice_, perfusion_->portal()), step);
+    document_.setTerritories(divided_, step);
   }
 }
 
@@ -199,8 +202,10 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
         parts.tumours = tumourTerritories(content, *parts.territories);
         return parts;
       },
-      [this, perfusion = perfusion_, step](Parts parts) {
-        if (perfusion_ == perfusion) {
+      [this, perfusion = perfusion_, step, asked = document_.content().territories](Parts parts) {
+        if (perfusion_ == perfusion && !(document_.content().territories == asked)) {  // undone meanwhile
+          divide(choiceOf(document_.content().territories, perfusion_->portal()));
+        } else if (perfusion_ == perfusion) {
           choice_ = std::move(parts.choice);
           territories_ = std::move(parts.territories);
           tumours_ = std::move(parts.tumours);
@@ -211,7 +216,7 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
 }
 
 void TerritoryEstimator::goOnOrForget() {
-  if (perfusion_ && marksOf(choice_, perfusion_->portal()) == document_.content().territories) {
+  if (perfusion_ && territories_ && divided_ == document_.content().territories) {
     follow();
   } else {
     forget();

@@ -67,6 +67,7 @@ class TerritoryEstimator : public QObject {
   JobId division_ = 0;  ///< the newest job that divides the liver
   std::shared_ptr<const LiverPerfusion> perfusion_;
   TerritoryChoice choice_;
+  TerritoryMarks divided_;  ///< what the case says where territories_ are shown
   std::shared_ptr<const Territories> territories_;
   std::vector<TumourTerritories> tumours_;  ///< where they lie in territories_
   std::optional<TerritoryReport> report_;

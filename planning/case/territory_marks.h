@@ -20,7 +20,7 @@ struct TerritoryMark {
 /// A map of liver segments where it lies, as a case keeps it: the map itself is read again.
 struct SegmentMapFile {
   std::string path;    ///< absolute
-  std::string sha256;  ///< of the file, or of the names and hashes of a folder's files
+  std::string sha256;  ///< of what it said: its segments on the case's grid
   bool operator==(const SegmentMapFile&) const = default;
 };
 

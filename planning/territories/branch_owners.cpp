@@ -13,9 +13,6 @@ std::size_t at(std::int32_t n) { return static_cast<std::size_t>(n); }
 std::vector<std::int32_t> namedBranches(const VesselGraph& portal, const TerritoryChoice& choice) {
   std::vector<std::int32_t> picks(portal.branches.size(), kOwnsNothing);
   for (std::size_t p = 0; p < choice.picks.size(); ++p) {
-    if (choice.picks[p].name == kNotPicked) {
-      throw UsageError(choice.picks[p].name + " is what the branches without a name are called; give another name.");
-    }
     for (const std::int32_t branch : choice.picks[p].branches) {
       if (branch < 0 || at(branch) >= picks.size()) {
         throw UsageError(choice.picks[p].name + ": the portal vein has no branch " + std::to_string(branch) + "; it has 0 to " +

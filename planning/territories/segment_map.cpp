@@ -1,6 +1,5 @@
 #include "planning/territories/segment_map.h"
 
-#include "planning/storage/ct_files.h"
 #include "planning/storage/sha256.h"
 #include "reconstruction/errors.h"
 
@@ -8,21 +7,45 @@ namespace glisson {
 
 namespace fs = std::filesystem;
 
-SegmentMapFile segmentMapFile(const fs::path& path) {
-  const std::vector<CtFileHash> files = hashCtFiles(path);
-  if (files.empty()) {
-    throw InputError("The map of segments is not at " + path.string() + "; choose it again.");
+namespace {
+
+std::string fingerprintOf(const Territories& territories) {
+  Sha256 hash;
+  for (const Territory& part : territories.parts) {
+    hash.update(std::as_bytes(std::span(part.name)));
+    hash.update(std::as_bytes(std::span(part.rows.runs)));
   }
-  std::string listed;
-  for (const CtFileHash& file : files) {
-    listed += file.name + '\n' + file.sha256 + '\n';
-  }
-  const bool single = fs::is_regular_file(path);
-  return {fs::absolute(path).lexically_normal().string(),
-          single ? files.front().sha256 : sha256Hex(std::as_bytes(std::span(listed)))};
+  return hash.hex();
 }
 
-Territories segmentTerritories(const Case& source, const SegmentMapFile& map, const ReadOptions& options,
+/// The map as it was when it was chosen.
+Territories readKeptMap(const Case& source, const SegmentMapFile& map, const ExecutionContext& context) {
+  ReadOptions options;
+  options.consents = {Consent::ResampleLabels, Consent::OtherPatient, Consent::Tilt, Consent::UnevenSlices};
+  for (const NiftiFrame frame : {NiftiFrame::Agreeing, NiftiFrame::SForm, NiftiFrame::QForm}) {
+    options.niftiFrame = frame;
+    try {
+      Territories read = segmentTerritories(source, map.path, options, context);
+      if (fingerprintOf(read) == map.sha256) {
+        return read;
+      }
+    } catch (const InputError& refusal) {
+      if (frame != NiftiFrame::Agreeing || std::string(refusal.what()).find("--prefer") == std::string::npos) {
+        throw;
+      }
+      continue;  // its two frames differ, and one of them was chosen
+    }
+    if (frame == NiftiFrame::Agreeing) {
+      break;
+    }
+  }
+  throw InputError("The map of segments at " + map.path +
+                   " does not say any more what it said when it was chosen; choose it again.");
+}
+
+}  // namespace
+
+Territories segmentTerritories(const Case& source, const fs::path& path, const ReadOptions& options,
                                const ExecutionContext& context) {
   CtVolume grid;
   grid.geometry = source.segmentation->geometry;
@@ -32,21 +55,16 @@ Territories segmentTerritories(const Case& source, const SegmentMapFile& map, co
     grid.identity.frameOfReferenceUid = source.segmentation->frameOfReferenceUid;
   }
   grid.source = source.ctSource.empty() ? source.segmentation->source : source.ctSource;
-  return segmentTerritories(*source.liver, matchToCt(readSegmentation(map.path, options, context), grid, options));
+  return segmentTerritories(*source.liver, matchToCt(readSegmentation(path, options, context), grid, options));
+}
+
+SegmentMapFile segmentMapFile(const fs::path& path, const Territories& read) {
+  return {fs::absolute(path).lexically_normal().string(), fingerprintOf(read)};
 }
 
 Territories territoriesOf(const Case& source, const VesselGraph& portal, const TerritoryChoice& choice,
                           const ExecutionContext& context) {
-  if (!choice.segments) {
-    return territoriesOf(*source.liver, portal, choice, context);
-  }
-  if (segmentMapFile(choice.segments->path) != *choice.segments) {
-    throw InputError("The map of segments at " + choice.segments->path +
-                     " is not the one that was chosen (its files have changed); choose it again.");
-  }
-  ReadOptions options;
-  options.consents = {Consent::ResampleLabels, Consent::OtherPatient, Consent::Tilt, Consent::UnevenSlices};
-  return segmentTerritories(source, *choice.segments, options, context);
+  return choice.segments ? readKeptMap(source, *choice.segments, context) : territoriesOf(*source.liver, portal, choice, context);
 }
 
 }  // namespace glisson

@@ -194,6 +194,7 @@ Territories segmentTerritories(const LiverVoxels& liver, const Segmentation& seg
   made.geometry = liver.geometry;
   made.source = TerritorySource::Segments;
   made.confirmed = true;
+  made.notes = segments.notes;
   for (int n = 1; n <= kSegments; ++n) {
     made.parts.push_back({"segment " + std::to_string(n), {}});
   }

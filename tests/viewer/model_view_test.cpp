@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <QApplication>
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -272,6 +273,20 @@ TEST_F(ModelViewTest, TheSpinHandleTurnsABentPlaneAboutItsNormalAndOfAFlatOneThe
   quarter();
   EXPECT_EQ(view.plane(), ResectionPlane(facing));
   EXPECT_NEAR(angleOf(right, view.handles()->tilts[0]), -std::numbers::pi / 2, 0.01);
+
+  view.setPlane(std::nullopt);
+  view.setPlane(facing);
+  EXPECT_EQ(view.handles()->tilts[0], right) << "another plane";
+  const auto cubePixels = [&] {
+    const QImage image = view.picture();
+    const Pixel cube = view.camera().toPixel(view.handles()->spin);
+    const QColor colour = image.pixelColor(static_cast<int>(cube.x()), static_cast<int>(cube.y()));
+    return colour.red() > 150 && colour.blue() < 120 && colour.red() > colour.blue() + 80;
+  };
+  EXPECT_TRUE(cubePixels());
+  view.setHandlesShown(false);
+  EXPECT_FALSE(cubePixels());
+  view.setHandlesShown(true);
 
   const Bend bend = flatBend(facing, 60);
   view.setPlane(ResectionPlane(facing, bend));

@@ -108,6 +108,7 @@ TEST(CliPlan, TerritoriesCanBePickedOrReadFromAMapOfSegments) {
   EXPECT_EQ(Json::parse(cli({"plan", file, "--territories", "--json"}).out)["estimates"], plan["estimates"]) << "the case keeps it";
   const std::string before = bytesOf(file);
   expectRefusal(cli({"plan", file, "--territories", "--territory", "none=99999"}), 2, "has no branch 99999");
+  expectRefusal(cli({"plan", file, "--territories", "--territory", "not picked=0"}), 2, "give another name");
   EXPECT_EQ(cli({"plan", file, "--territories", "--confirm-territories", "--dry-run"}).exitCode, 0);
   EXPECT_EQ(bytesOf(file), before);
   const Finished segments =

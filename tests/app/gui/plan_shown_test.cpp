@@ -56,7 +56,7 @@ class PlanShown : public test::MainWindowTest {
 TEST_F(PlanShown, AMapOfSegmentsIsReadKeptUndoneAndMissedWhenItsFileChanges) {
   const Case fork = test::forkCase(Vec3(2, 2, 2));
   const ImageGeometry& grid = fork.segmentation->geometry;
-  const auto file = std::filesystem::path(folder.filePath("segments.nii").toStdString());
+  const auto file = std::filesystem::path(folder.filePath("segments.nii.gz").toStdString());
   const auto writeMap = [&](std::uint8_t right) {  // the patient's right and left half of the grid
     std::vector<std::uint8_t> values(grid.voxelCount(), 2);
     for (std::size_t n = 0; n < values.size(); ++n) {
@@ -96,8 +96,12 @@ TEST_F(PlanShown, AMapOfSegmentsIsReadKeptUndoneAndMissedWhenItsFileChanges) {
   writeMap(8);
   document().undoStack().redo();
   auto* notes = find<QLabel>("territoryNotes");
-  ASSERT_TRUE(waitFor([&] { return notes->text().contains("its files have changed") && table->isEnabled(); }));
+  ASSERT_TRUE(waitFor([&] { return notes->text().contains("does not say any more what it said") && table->isEnabled(); }));
   EXPECT_EQ(first(), "left") << "proposed, and not another map under the old one's name";
+  EXPECT_TRUE(document().content().territories.segments) << "what was chosen is not forgotten";
+  window->territories().chooseSegments("/nowhere.nii.gz");
+  ASSERT_TRUE(waitFor([&] { return jobs->idle() && table->isEnabled(); }));
+  EXPECT_EQ(first(), "left") << "a wrong choice leaves what was shown";
 }
 
 TEST_F(PlanShown, ProposedLeftAndRightAreSeenInTheColoursOfTheirRowsBeforeTheyAreConfirmed) {
