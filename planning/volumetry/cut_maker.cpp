@@ -20,6 +20,10 @@ void appendOutside(Polygon polygon, const ImagePlane& plane, std::size_t own, st
     parts.push_back(std::move(polygon));
     return;
   }
+  if (std::ranges::any_of(plan[next].planes, [&](const ImagePlane& other) { return sideOf(box, other) == RunSide::Outside; })) {
+    appendOutside(std::move(polygon), plane, own, next + 1, box, plan, parts);
+    return;
+  }
   const double reach = 2 * box.half.norm();
   Polygon inside = std::move(polygon);
   for (const ImagePlane& other : plan[next].planes) {
@@ -41,6 +45,18 @@ void appendOutside(Polygon polygon, const ImagePlane& plane, std::size_t own, st
   if (plan[next].planes.empty()) {
     appendOutside(std::move(inside), plane, own, next + 1, box, plan, parts);
   }
+}
+
+/// Whether a resection other than `own` has all of the box: then no surface of `own` is in it.
+bool isCovered(const Box& box, std::size_t own, const std::vector<ImageResection>& plan) {
+  for (std::size_t r = 0; r < plan.size(); ++r) {
+    const std::vector<ImagePlane>& planes = plan[r].planes;
+    if (r != own && !planes.empty() &&
+        std::ranges::all_of(planes, [&](const ImagePlane& plane) { return sideOf(box, plane) == RunSide::Inside; })) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// The section of the box by one plane, where it bounds its own resection.
@@ -77,6 +93,9 @@ bool CutMaker::isCrossed(const Box& box, const std::vector<ImageResection>& flat
 void CutMaker::appendPieces(const Box& box, std::size_t run, const std::vector<ImageResection>& flat,
                             std::vector<CutPiece>& pieces) {
   for (std::size_t r = 0; r < flat.size(); ++r) {
+    if (flat.size() > 1 && isCovered(box, r, flat)) {
+      continue;
+    }
     for (std::size_t p = 0; p < flat[r].planes.size(); ++p) {
       parts_.clear();
       appendOutside(ownSection(box, flat[r], p), flat[r].planes[p], r, 0, box, flat, parts_);

@@ -72,6 +72,7 @@ RunCounter::Reached RunCounter::reachedBy(const Box& box) const {
       reached.only = last;
     }
     if (planesAcross == 0) {
+      reached.rest = reached.resections == 2 ? std::optional(r) : std::nullopt;
       break;  // what comes later finds nothing left
     }
   }
@@ -86,13 +87,12 @@ void RunCounter::count(const RowRun& run) {
   }
   if (reached.planesAcross == 0) {
     result_.units[reached.first] += whole(run);
-  } else if (reached.resections == 1 && reached.planesAcross == 1) {
-    const Vec3 widths = 2 * reached.only->normal.cwiseAbs().cwiseProduct(box.half);
-    // Touching from outside within rounding is touching: the section of the shared face is not lost.
-    const double distance = std::max(reached.only->distance(box.centre), -0.5 * widths.sum());
-    const BoxCut cut = cutBox(distance, {widths[0], widths[1], widths[2]});
-    result_.units[reached.first] += std::llround(cut.fraction * run.n * kUnitsPerVoxel);
-    singlePlaneArea_ += cut.density * 8 * box.half.prod();
+  } else if (reached.planesAcross == 1 && (reached.resections == 1 || reached.rest)) {
+    const std::int64_t units = unitsAbove(*reached.only, run, box);
+    result_.units[reached.first] += units;
+    if (reached.rest) {
+      result_.units[*reached.rest] += whole(run) - units;
+    }
   } else if (run.n > 1) {
     const int half = run.n / 2;
     count({run.i, run.j, run.k, half});
@@ -100,6 +100,15 @@ void RunCounter::count(const RowRun& run) {
   } else {
     countVoxel(box);
   }
+}
+
+std::int64_t RunCounter::unitsAbove(const ImagePlane& plane, const RowRun& run, const Box& box) {
+  const Vec3 widths = 2 * plane.normal.cwiseAbs().cwiseProduct(box.half);
+  // Touching from outside within rounding is touching: the section of the shared face is not lost.
+  const double distance = std::max(plane.distance(box.centre), -0.5 * widths.sum());
+  const BoxCut cut = cutBox(distance, {widths[0], widths[1], widths[2]});
+  singlePlaneArea_ += cut.density * 8 * box.half.prod();
+  return std::llround(cut.fraction * run.n * kUnitsPerVoxel);
 }
 
 bool RunCounter::countUndivided(const Box& box, std::size_t voxels) {

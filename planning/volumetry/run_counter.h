@@ -2,6 +2,7 @@
 // Purpose: counts what a plan of flat planes takes of one run of voxels after the other (resected.h says how). Frame: image, mm.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "planning/volumetry/resected.h"
@@ -51,10 +52,13 @@ class RunCounter {
   struct Reached {
     std::size_t resections = 0;  ///< none behind one that has all of it is looked at
     std::size_t first = 0;
-    std::size_t planesAcross = 0;      ///< of the first one
-    const ImagePlane* only = nullptr;  ///< the last of these
+    std::size_t planesAcross = 0;       ///< of the first one
+    const ImagePlane* only = nullptr;   ///< the last of these
+    std::optional<std::size_t> rest{};  ///< the second one, where it has all of the box: what the first leaves
   };
   [[nodiscard]] Reached reachedBy(const Box& box) const;
+  /// A run that one plane cuts: the units on its side.
+  [[nodiscard]] std::int64_t unitsAbove(const ImagePlane& plane, const RowRun& run, const Box& box);
   void countVoxel(const Box& box);
 
   const Vec3& spacing_;
