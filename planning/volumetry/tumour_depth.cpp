@@ -155,23 +155,22 @@ class HalfSpaceDepth {
   explicit HalfSpaceDepth(std::vector<ImagePlane> planes) : planes_(std::move(planes)) {}
 
   void keep(const Box& box) {
-    if (!mayBeDeeper(box)) {
-      return;
-    }
     std::array<std::size_t, 4> chosen{};
     choose(box, chosen, 0, 0);
+  }
+  /// What no point of the box is deeper than.
+  [[nodiscard]] double most(const Box& box) const {
+    double least = kInfinity;
+    for (const ImagePlane& plane : planes_) {
+      least = std::min(least, outside(plane, box.centre) + plane.support(box.half));
+    }
+    return least;
   }
   [[nodiscard]] double greatest() const { return greatest_; }
   [[nodiscard]] const Vec3& along() const { return along_; }
 
  private:
   [[nodiscard]] static double outside(const ImagePlane& plane, const Vec3& p) { return -plane.distance(p); }
-
-  [[nodiscard]] bool mayBeDeeper(const Box& box) const {
-    return std::ranges::all_of(planes_, [&](const ImagePlane& plane) {
-      return outside(plane, box.centre) + plane.normal.cwiseAbs().dot(box.half) > greatest_;
-    });
-  }
 
   /// All sets of one to four planes from the `from`-th on, and all edges and faces they may be equal on.
   void choose(const Box& box, std::array<std::size_t, 4>& chosen, std::size_t count, std::size_t from) {
@@ -355,8 +354,17 @@ double greatestDepth(const VoxelRows& rows, const Vec3& spacing, const std::vect
         planes.insert(planes.end(), one.planes.begin(), one.planes.end());
       }
       HalfSpaceDepth deepest(std::move(planes));
-      for (const RowRun& run : rows.runs) {
-        deepest.keep(boxOf(run, spacing));
+      std::vector<std::pair<double, std::size_t>> runs;  // what bounds the depth of each
+      for (std::size_t n = 0; n < rows.runs.size(); ++n) {
+        if (const double most = deepest.most(boxOf(rows.runs[n], spacing)); most > 0) {
+          runs.emplace_back(most, n);
+        }
+      }
+      // The deepest ones first: few of the others have to be looked at.
+      std::ranges::make_heap(runs);
+      for (auto end = runs.end(); end != runs.begin() && runs.front().first > deepest.greatest(); --end) {
+        deepest.keep(boxOf(rows.runs[runs.front().second], spacing));
+        std::pop_heap(runs.begin(), end);
       }
       normal = deepest.along();
       return deepest.greatest();
