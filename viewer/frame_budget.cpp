@@ -40,7 +40,8 @@ bool FrameBudget::remember(const FramePlan& frame, double ms) {
   FrameTime& time = resting ? (frame.peels ? peeled_ : plain_)[static_cast<std::size_t>(frame.detail)] : moving_;
   ++time.frames;
   if (time.frames >= 2) {
-    time.ms = std::max(ms, 0.1);
+    constexpr double kForgotten = 0.8;  // one quick frame among slow ones proves nothing
+    time.ms = std::max({ms, kForgotten * time.ms, 0.1});
   }
   return resting && time.frames <= 2;
 }

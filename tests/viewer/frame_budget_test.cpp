@@ -46,6 +46,28 @@ TEST(FrameBudget, WhatMovingFramesTakeToCompileDoesNotHalveTheirResolution) {
   EXPECT_EQ(budget.plan(FrameQuality::Moving, kLarge, true).scale, 0.5);
 }
 
+TEST(FrameBudget, OneQuickFrameAmongSlowOnesBringsNoPeelingBack) {
+  FrameBudget budget;
+  FramePlan frame;
+  frame.quality = FrameQuality::Resting;
+  frame.detail = Detail::Full;
+  const auto draw = [&](bool peels, double ms) {
+    frame.peels = peels;
+    budget.remember(frame, ms);
+  };
+  for (const double ms : {10.0, 10.0}) {
+    draw(false, ms);
+  }
+  draw(true, 60);
+  draw(true, 60);
+  EXPECT_TRUE(budget.plan(FrameQuality::Resting, kSmall, true).peels);
+  draw(true, 90);
+  draw(true, 40);
+  EXPECT_FALSE(budget.plan(FrameQuality::Resting, kSmall, true).peels);
+  draw(true, 40);
+  EXPECT_TRUE(budget.plan(FrameQuality::Resting, kSmall, true).peels);
+}
+
 TEST(FrameBudget, AMovingFrameIsCoarseAndNeverPeels) {
   FrameBudget budget;
   rest(budget, kLarge, proportional(1, kLarge));
@@ -89,7 +111,8 @@ TEST(FrameBudget, AQuickMachineRestsOnFullMeshesWithPeeling) {
 }
 
 TEST(FrameBudget, NoRestingFrameIsPlannedThatWouldMissTheBudget) {
-  for (double fullMs = 1; fullMs < 400; fullMs *= 1.1) {
+  const double slowest = kFrameBudgetMs * static_cast<double>(kLarge.full) / static_cast<double>(kLarge.reduced);
+  for (double fullMs = 1; fullMs < slowest; fullMs *= 1.1) {  // then even reduced meshes miss it
     FrameBudget budget;
     const auto cost = proportional(fullMs, kLarge);
     const auto checked = [&](const FramePlan& frame) {
@@ -114,7 +137,7 @@ TEST(FrameBudget, WhereMeshesWereUploadedTheTimeIsNotKept) {
 TEST(FrameBudget, OtherMeshesAndOtherSizesAreMeasuredAnew) {
   FrameBudget budget;
   rest(budget, kLarge, proportional(4, kLarge));
-  budget.areaChanged(10);
+  budget.areaChanged(8);
   EXPECT_EQ(budget.plan(FrameQuality::Resting, kLarge, true).detail, Detail::Full);
   budget.areaChanged(2);
   EXPECT_EQ(budget.plan(FrameQuality::Resting, kLarge, true).detail, Detail::Reduced);
