@@ -52,10 +52,13 @@ TEST(TumourDepth, BetweenFacesSideBySideThroughALargeTumourIsFoundWithinTheFrame
 double distanceTo(const ImageResection& resection, const Vec3& p) {
   Vec3 at = p;
   std::vector<Vec3> corrections(resection.planes.size(), Vec3::Zero());
-  for (int turn = 0; turn < 2000; ++turn) {
+  double moved = 1;
+  for (int turn = 0; turn < 2000 && moved > 1e-12; ++turn) {  // a turn that changes nothing is the last one
+    moved = 0;
     for (std::size_t n = 0; n < resection.planes.size(); ++n) {
       const Vec3 before = at + corrections[n];
       at = before + std::max(0.0, -resection.planes[n].distance(before)) * resection.planes[n].normal;
+      moved += (before - at - corrections[n]).norm();
       corrections[n] = before - at;
     }
   }
