@@ -46,18 +46,18 @@ struct ModelView::Impl {
   std::vector<Loop> section;
   bool sectionStale = true;
   bool sectionIsCoarse = false;
+  bool handlesShown = true;
+  bool fullDetail = false;  ///< of moving frames, too
+  bool bending = false;     ///< control points are shown where the plane is bent
+  bool bendGroup = false;   ///< they move with their group
   Vec3 anchor = Vec3::Zero();
   std::optional<PlaneDrag> drag;
-  double spun = 0;         ///< of a flat plane, radians: how far its handles are turned within it
-  double spunFrom = 0;     ///< the same when the drag began
-  bool bending = false;    ///< control points are shown where the plane is bent
-  bool bendGroup = false;  ///< they move with their group
+  double spun = 0;      ///< of a flat plane, radians: how far its handles are turned within it
+  double spunFrom = 0;  ///< the same when the drag began
   std::optional<BendDrag> bendDrag;
   std::optional<std::size_t> hoveredPoint;
   std::optional<std::size_t> keyedPoint;  ///< the last one chosen or dragged: the one that keys move
   std::optional<PlaneHandle> hovered;
-  bool handlesShown = true;
-  bool fullDetail = false;  ///< of moving frames, too
   std::optional<PickTool> pick;
   Pose told;  ///< what cameraMoved() was last about
   std::shared_ptr<const TumourDistance> tumours;
