@@ -39,6 +39,10 @@ bool FrameBudget::remember(const FramePlan& frame, double ms) {
   }
   FrameTime& time = resting ? (frame.peels ? peeled_ : plain_)[static_cast<std::size_t>(frame.detail)] : moving_;
   ++time.frames;
+  if (resting && !frame.peels) {
+    constexpr double kRecovers = 0.98;  // after some frames without it peeling is tried again
+    peeled_[static_cast<std::size_t>(frame.detail)].ms *= kRecovers;
+  }
   if (time.frames >= 2) {
     constexpr double kForgotten = 0.8;  // one quick frame among slow ones proves nothing
     time.ms = std::max({ms, kForgotten * time.ms, 0.1});

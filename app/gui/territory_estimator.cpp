@@ -75,7 +75,7 @@ TerritoryEstimator::TerritoryEstimator(JobRunner& jobs, Document& document, QObj
   });
   // A drag moves the plane often; the estimates follow when it rests.
   connect(&document_, &Document::assessmentChanged, this, [this] {
-    if (state_ == State::Following && !document_.isDragging() && document_.freshness() == Freshness::All) {
+    if (state_ == State::Following && !dividing_ && !document_.isDragging() && document_.freshness() == Freshness::All) {
       follow();
     }
   });
@@ -95,8 +95,10 @@ void TerritoryEstimator::become(State state) {
 
 void TerritoryEstimator::forget() {
   perfusion_.reset();
-  choice_ = {};
+  choice_ = wanted_ = {};
   divided_ = {};
+  division_ = 0;
+  dividing_ = false;
   territories_.reset();
   tumours_.clear();
   report_.reset();
@@ -140,8 +142,8 @@ void TerritoryEstimator::chooseSegments(const QString& path) {
 }
 
 void TerritoryEstimator::confirm() {
-  if (isProposal()) {
-    TerritoryChoice confirmed = choice_;
+  if (!wanted_.picks.empty() && !wanted_.confirmed) {
+    TerritoryChoice confirmed = wanted_;
     confirmed.confirmed = true;
     divide(std::move(confirmed), QString::fromLatin1(kConfirm));
   }
@@ -158,8 +160,8 @@ void TerritoryEstimator::pick(const Vec3& pointMm) {
   }
   TerritoryChoice picked;
   picked.confirmed = true;  // the user points at it
-  if (isPicked()) {
-    picked.picks = choice_.picks;
+  if (wanted_.source == TerritorySource::Picked) {
+    picked.picks = wanted_.picks;
   }
   picked.picks.push_back({freeName(picked.picks), {*branch}});
   divide(std::move(picked), QString::fromLatin1(kPick));
@@ -173,7 +175,9 @@ void TerritoryEstimator::keep(const QString& step) {
 }
 
 void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
+  wanted_ = choice;
   if (choice.picks.empty() && !choice.segments) {
+    dividing_ = false;
     choice_ = std::move(choice);
     territories_ = std::make_shared<const Territories>(nothingOf(document_.content(), choice_));
     tumours_.clear();
@@ -187,10 +191,13 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
     std::vector<TumourTerritories> tumours;
   };
   JobRequest request{.key = "territories", .title = tr("Territories")};
-  request.fail = [this](const std::exception& error) {
-    emit refused(messageOf(error));
-    goOnOrForget();
+  request.fail = [this, perfusion = perfusion_](const std::exception& error) {
+    if (perfusion_ == perfusion) {  // else it is of a case that was closed
+      emit refused(messageOf(error));
+      goOnOrForget();
+    }
   };
+  dividing_ = true;
   become(State::Following);
   division_ = 0;  // that a newer division takes the place of this one is no end
   division_ = submitFor<Parts>(
@@ -206,7 +213,8 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
         if (perfusion_ == perfusion && !(document_.content().territories == asked)) {  // undone meanwhile
           divide(choiceOf(document_.content().territories, perfusion_->portal()));
         } else if (perfusion_ == perfusion) {
-          choice_ = std::move(parts.choice);
+          dividing_ = false;
+          choice_ = wanted_ = std::move(parts.choice);
           territories_ = std::move(parts.territories);
           tumours_ = std::move(parts.tumours);
           keep(step);
@@ -216,6 +224,8 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
 }
 
 void TerritoryEstimator::goOnOrForget() {
+  dividing_ = false;
+  wanted_ = choice_;
   if (perfusion_ && territories_ && divided_ == document_.content().territories) {
     follow();
   } else {
@@ -238,7 +248,7 @@ void TerritoryEstimator::follow() {
         return report;
       },
       [this, territories = territories_, plan = document_.plan()](TerritoryReport report) {
-        if (territories_ == territories && document_.plan() == plan) {
+        if (!dividing_ && territories_ == territories && document_.plan() == plan) {
           report_ = std::move(report);
           reported_ = plan;
           become(State::Current);

@@ -63,10 +63,12 @@ class TerritoryEstimator : public QObject {
   JobRunner& jobs_;
   Document& document_;
   State state_ = State::None;
-  JobId trees_ = 0;     ///< the job that makes the vessels' trees
-  JobId division_ = 0;  ///< the newest job that divides the liver
+  JobId trees_ = 0;        ///< the job that makes the vessels' trees
+  JobId division_ = 0;     ///< the newest job that divides the liver
+  bool dividing_ = false;  ///< it runs: what is known is of an older choice
   std::shared_ptr<const LiverPerfusion> perfusion_;
   TerritoryChoice choice_;
+  TerritoryChoice wanted_;  ///< of the division that runs; else choice_
   TerritoryMarks divided_;  ///< what the case says where territories_ are shown
   std::shared_ptr<const Territories> territories_;
   std::vector<TumourTerritories> tumours_;  ///< where they lie in territories_

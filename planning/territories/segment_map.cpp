@@ -1,5 +1,7 @@
 #include "planning/territories/segment_map.h"
 
+#include <exception>
+
 #include "planning/storage/sha256.h"
 #include "reconstruction/errors.h"
 
@@ -22,6 +24,8 @@ std::string fingerprintOf(const Territories& territories) {
 Territories readKeptMap(const Case& source, const SegmentMapFile& map, const ExecutionContext& context) {
   ReadOptions options;
   options.consents = {Consent::ResampleLabels, Consent::OtherPatient, Consent::Tilt, Consent::UnevenSlices};
+  std::exception_ptr refusal;
+  bool anyRead = false;
   for (const NiftiFrame frame : {NiftiFrame::Agreeing, NiftiFrame::SForm, NiftiFrame::QForm}) {
     options.niftiFrame = frame;
     try {
@@ -29,15 +33,16 @@ Territories readKeptMap(const Case& source, const SegmentMapFile& map, const Exe
       if (fingerprintOf(read) == map.sha256) {
         return read;
       }
-    } catch (const InputError& refusal) {
-      if (frame != NiftiFrame::Agreeing || std::string(refusal.what()).find("--prefer") == std::string::npos) {
-        throw;
+      anyRead = true;
+      if (frame == NiftiFrame::Agreeing) {
+        break;
       }
-      continue;  // its two frames differ, and one of them was chosen
+    } catch (const InputError&) {  // perhaps its two frames differ, and one of them was chosen
+      refusal = refusal ? refusal : std::current_exception();
     }
-    if (frame == NiftiFrame::Agreeing) {
-      break;
-    }
+  }
+  if (!anyRead) {
+    std::rethrow_exception(refusal);
   }
   throw InputError("The map of segments at " + map.path +
                    " does not say any more what it said when it was chosen; choose it again.");

@@ -104,6 +104,26 @@ TEST_F(PlanShown, AMapOfSegmentsIsReadKeptUndoneAndMissedWhenItsFileChanges) {
   EXPECT_EQ(first(), "left") << "a wrong choice leaves what was shown";
 }
 
+TEST_F(PlanShown, ABranchThatIsPickedWhileAnotherChoiceIsWorkedOnIsAddedToThatOne) {
+  emit window->opener().opened(test::forkCase(Vec3(2, 2, 2)), nullptr, {});
+  ASSERT_TRUE(settle());
+  TerritoryEstimator& estimator = window->territories();
+  const auto current = [&] { return jobs->idle() && estimator.state() == TerritoryEstimator::State::Current; };
+  estimator.estimate();
+  ASSERT_TRUE(waitFor(current));
+  const Vec3 left(20, -10, 10);
+  const Vec3 right(-10, -10, 10);
+  estimator.pick(left);
+  estimator.pick(right);  // while the first one is divided
+  ASSERT_TRUE(waitFor(current));
+  EXPECT_EQ(document().content().territories.marks.size(), 2U);
+  document().undoStack().undo();
+  EXPECT_EQ(estimator.report(), nullptr) << "the case says something else already";
+  estimator.pick(right);
+  ASSERT_TRUE(waitFor(current));
+  EXPECT_EQ(document().content().territories.marks.size(), 1U) << "what was undone does not come back";
+}
+
 TEST_F(PlanShown, ProposedLeftAndRightAreSeenInTheColoursOfTheirRowsBeforeTheyAreConfirmed) {
   emit window->opener().opened(test::forkCase(Vec3(2, 2, 2)), nullptr, {});
   ASSERT_TRUE(settle());
