@@ -130,15 +130,9 @@ TerritoryCommand::TerritoryCommand(const Case& source, const TerritoryFlags& fla
     marks_ = {.marks = {}, .segments = segmentMapFile(flags.segments, territories_)};
   } else {
     const TerritoryChoice choice = choiceOf(flags, source.territories, perfusion_.portal());
-    if (choice.picks.empty() && !choice.segments) {
-      territories_.geometry = source.liver->geometry;
-      territories_.source = choice.source;
-      territories_.notes = choice.notes;
-    } else {
-      territories_ = territoriesOf(source, perfusion_.portal(), choice, context.range(0.8, 1.0));
-      if (flags.confirm || !flags.picks.empty()) {
-        marks_ = marksOf(choice, perfusion_.portal());
-      }
+    territories_ = territoriesOf(source, perfusion_.portal(), choice, context.range(0.8, 1.0));
+    if (!choice.picks.empty() && (flags.confirm || !flags.picks.empty())) {
+      marks_ = marksOf(choice, perfusion_.portal());
     }
   }
   notes_.insert(notes_.end(), territories_.notes.begin(), territories_.notes.end());

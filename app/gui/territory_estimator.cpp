@@ -25,37 +25,25 @@ std::string freeName(const std::vector<TerritoryPick>& picks) {
   }
 }
 
-/// Where nothing is proposed: perfusion is told all the same.
-Territories nothingOf(const Case& content, const TerritoryChoice& choice) {
-  Territories none;
-  none.geometry = content.liver->geometry;
-  none.source = choice.source;
-  none.notes = choice.notes;
-  return none;
-}
-
 /// The liver as `choice` divides it; a new map of segments gets its fingerprint. Where one that the case keeps cannot be had any
 /// more, `choice` becomes the proposal.
-std::shared_ptr<const Territories> divided(const Case& content, const VesselGraph& portal, TerritoryChoice& choice, bool kept,
-                                           const ExecutionContext& context) {
-  if (!choice.segments) {
-    return std::make_shared<const Territories>(territoriesOf(content, portal, choice, context));
-  }
-  if (!kept) {
-    auto read = std::make_shared<const Territories>(segmentTerritories(content, choice.segments->path, {}, context));
-    choice.segments = segmentMapFile(choice.segments->path, *read);
+Territories divided(const Case& content, const VesselGraph& portal, TerritoryChoice& choice, bool kept,
+                    const ExecutionContext& context) {
+  if (choice.segments && !kept) {
+    Territories read = segmentTerritories(content, choice.segments->path, {}, context);
+    choice.segments = segmentMapFile(choice.segments->path, read);
     return read;
   }
   try {
-    return std::make_shared<const Territories>(territoriesOf(content, portal, choice, context));
+    return territoriesOf(content, portal, choice, context);
   } catch (const InputError& gone) {
+    if (!choice.segments) {
+      throw;
+    }
     choice = proposeLeftRight(portal);
     choice.notes.emplace_back(gone.what());
   }
-  if (!choice.picks.empty()) {
-    return std::make_shared<const Territories>(territoriesOf(content, portal, choice, context));
-  }
-  return std::make_shared<const Territories>(nothingOf(content, choice));
+  return territoriesOf(content, portal, choice, context);
 }
 
 }  // namespace
@@ -179,7 +167,7 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
   if (choice.picks.empty() && !choice.segments) {
     dividing_ = false;
     choice_ = std::move(choice);
-    territories_ = std::make_shared<const Territories>(nothingOf(document_.content(), choice_));
+    territories_ = std::make_shared<const Territories>(territoriesOf(document_.content(), perfusion_->portal(), choice_));
     tumours_.clear();
     keep(step);
     follow();
@@ -205,7 +193,7 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
       [content = document_.content(), perfusion = perfusion_, choice, kept = step.isEmpty()](const ExecutionContext& context) {
         Parts parts;
         parts.choice = choice;
-        parts.territories = divided(content, perfusion->portal(), parts.choice, kept, context);
+        parts.territories = std::make_shared<const Territories>(divided(content, perfusion->portal(), parts.choice, kept, context));
         parts.tumours = tumourTerritories(content, *parts.territories);
         return parts;
       },

@@ -39,12 +39,6 @@ std::vector<std::string> namesOf(const std::vector<Named>& items, std::size_t wi
   return names;
 }
 
-/// The origin elsewhere in the plane: the point of it nearest to `to`.
-void slide(ResectionPlane& plane, const Vec3& to) {
-  requireFinite(to);
-  plane.origin = to - plane.normal.dot(to - plane.origin) * plane.normal;
-}
-
 template <typename Value>
 void eraseAt(std::vector<Value>& values, std::size_t index) {
   values.erase(values.begin() + static_cast<std::ptrdiff_t>(index));
@@ -95,21 +89,20 @@ struct Applier {
     ResectionPlane& plane = plan.resections[edit.resection].planes[edit.plane];
     const Bend bend = checkedBend(plane, edit.bend);
     if (edit.origin) {
-      slide(plane, *edit.origin);
+      requireFinite(*edit.origin);
+      plane.origin = *edit.origin - plane.normal.dot(*edit.origin - plane.origin) * plane.normal;
     }
     plane.bend = bend;
   }
   void operator()(const SpinPlane& edit) {
     requirePlane(plan, edit.resection, edit.plane);
-    ResectionPlane& plane = plan.resections[edit.resection].planes[edit.plane];
+    const ResectionPlane& plane = plan.resections[edit.resection].planes[edit.plane];
     if (!plane.bend) {
       throw PlanningError("A flat plane is the same however it is turned about its normal; bend it first.");
     }
     Bend bend = *plane.bend;
     bend.u = edit.u;
-    bend = checkedBend(plane, bend);
-    slide(plane, edit.origin);
-    plane.bend = bend;
+    (*this)(BendPlane{edit.resection, edit.plane, bend, edit.origin});
   }
   void operator()(const FlattenPlane& edit) {
     requirePlane(plan, edit.resection, edit.plane);

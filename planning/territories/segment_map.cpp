@@ -69,7 +69,17 @@ SegmentMapFile segmentMapFile(const fs::path& path, const Territories& read) {
 
 Territories territoriesOf(const Case& source, const VesselGraph& portal, const TerritoryChoice& choice,
                           const ExecutionContext& context) {
-  return choice.segments ? readKeptMap(source, *choice.segments, context) : territoriesOf(*source.liver, portal, choice, context);
+  if (choice.segments) {
+    return readKeptMap(source, *choice.segments, context);
+  }
+  if (choice.picks.empty()) {
+    Territories none;
+    none.geometry = source.liver->geometry;
+    none.source = choice.source;
+    none.notes = choice.notes;
+    return none;
+  }
+  return territoriesOf(*source.liver, portal, choice, context);
 }
 
 }  // namespace glisson

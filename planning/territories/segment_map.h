@@ -19,8 +19,9 @@ Territories segmentTerritories(const Case& source, const std::filesystem::path& 
 /// As a case keeps a map that has been read.
 SegmentMapFile segmentMapFile(const std::filesystem::path& path, const Territories& read);
 
-/// What a choice says, whatever its source. A map that the case keeps was accepted then and is accepted again; throws InputError
-/// where it cannot be read or does not say what it said. Throws what territoriesOf() of branches throws, Cancelled.
+/// What a choice says, whatever its source; no parts where nothing could be proposed. A map that the case keeps was accepted then
+/// and is accepted again; throws InputError where it cannot be read or does not say what it said. Throws what territoriesOf() of
+/// branches throws, Cancelled.
 Territories territoriesOf(const Case& source, const VesselGraph& portal, const TerritoryChoice& choice,
                           const ExecutionContext& context = {});
 

@@ -47,18 +47,6 @@ void appendOutside(Polygon polygon, const ImagePlane& plane, std::size_t own, st
   }
 }
 
-/// Whether a resection other than `own` has all of the box: then no surface of `own` is in it.
-bool isCovered(const Box& box, std::size_t own, const std::vector<ImageResection>& plan) {
-  for (std::size_t r = 0; r < plan.size(); ++r) {
-    const std::vector<ImagePlane>& planes = plan[r].planes;
-    if (r != own && !planes.empty() &&
-        std::ranges::all_of(planes, [&](const ImagePlane& plane) { return sideOf(box, plane) == RunSide::Inside; })) {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// The section of the box by one plane, where it bounds its own resection.
 Polygon ownSection(const Box& box, const ImageResection& resection, std::size_t index) {
   const ImagePlane& plane = resection.planes[index];
@@ -92,10 +80,10 @@ bool CutMaker::isCrossed(const Box& box, const std::vector<ImageResection>& flat
 
 void CutMaker::appendPieces(const Box& box, std::size_t run, const std::vector<ImageResection>& flat,
                             std::vector<CutPiece>& pieces) {
+  if (RunCounter(spacing_, flat, counted_).sideOfBox(box) == RunSide::Inside) {
+    return;  // one resection has all of it
+  }
   for (std::size_t r = 0; r < flat.size(); ++r) {
-    if (flat.size() > 1 && isCovered(box, r, flat)) {
-      continue;
-    }
     for (std::size_t p = 0; p < flat[r].planes.size(); ++p) {
       parts_.clear();
       appendOutside(ownSection(box, flat[r], p), flat[r].planes[p], r, 0, box, flat, parts_);
