@@ -5793,6 +5793,13 @@ L %2</translation>
     </message>
 </context>
 <context>
+    <name>glisson::VtkWidget</name>
+    <message>
+        <source>No 3D picture: OpenGL 3.2 does not work on this computer.</source>
+        <translation>Kein 3D-Bild: OpenGL 3.2 funktioniert auf diesem Computer nicht.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::WorkspaceBar</name>
     <message>
         <source>Case</source>

@@ -146,8 +146,8 @@ void ModelView::setPlane(const std::optional<ResectionPlane>& plane) {
 
 std::optional<ResectionPlane> ModelView::plane() const { return impl_->plane; }
 
-void ModelView::resizeGL(int width, int height) {
-  VtkWidget::resizeGL(width, height);
+void ModelView::resizeEvent(QResizeEvent* event) {
+  VtkWidget::resizeEvent(event);
   impl_->fitAgain();
   impl_->placeResectogram();
 }

@@ -107,7 +107,7 @@ class ModelView : public VtkWidget {
   void maximiseRequested();
 
  protected:
-  void resizeGL(int width, int height) override;
+  void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

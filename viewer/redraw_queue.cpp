@@ -1,5 +1,6 @@
 #include "viewer/redraw_queue.h"
 
+#include <QAbstractEventDispatcher>
 #include <QCoreApplication>
 
 namespace glisson {
@@ -16,6 +17,10 @@ RedrawQueue::RedrawQueue(QObject* parent) : QObject(parent) {
   turn_.setSingleShot(true);
   turn_.setInterval(0);
   connect(&turn_, &QTimer::timeout, this, &RedrawQueue::drawNext);
+  round_.start();
+  const QAbstractEventDispatcher* dispatcher = QAbstractEventDispatcher::instance();
+  connect(dispatcher, &QAbstractEventDispatcher::awake, this, [this] { round_.start(); });
+  connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, [this] { round_.start(); });
 }
 
 void RedrawQueue::add(VtkWidget* view) {
@@ -27,10 +32,27 @@ void RedrawQueue::add(VtkWidget* view) {
   }
 }
 
+bool RedrawQueue::shouldWait() {
+  constexpr qint64 kLongMs = 5;
+  constexpr qint64 kMostMs = 500;
+  if (round_.elapsed() <= kLongMs || (waited_.isValid() && waited_.elapsed() > kMostMs)) {
+    waited_.invalidate();
+    return false;
+  }
+  if (!waited_.isValid()) {
+    waited_.start();
+  }
+  return true;
+}
+
 void RedrawQueue::drawNext() {
+  if (shouldWait()) {
+    turn_.start();
+    return;
+  }
   const QPointer<VtkWidget> view = waiting_.takeFirst();
   if (view != nullptr) {
-    view->drawSoon();
+    view->drawInThisTurn();
   }
   if (!waiting_.isEmpty()) {
     turn_.start();

@@ -2,6 +2,7 @@
 // Purpose: views that change together are drawn one in a turn of the event loop, so that the window answers between them. UI
 // thread.
 
+#include <QElapsedTimer>
 #include <QList>
 #include <QObject>
 #include <QPointer>
@@ -22,9 +23,13 @@ class RedrawQueue : public QObject {
  private:
   explicit RedrawQueue(QObject* parent);
   void drawNext();
+  /// The window was composed in this round of the event loop, and no frame has waited for long.
+  [[nodiscard]] bool shouldWait();
 
   QList<QPointer<VtkWidget>> waiting_;
-  QTimer turn_;  ///< of 0 ms: fires behind the events that are posted, the drawing of the view before among them
+  QElapsedTimer round_;   ///< since the event loop last looked for news
+  QElapsedTimer waited_;  ///< since a frame was first put off; invalid where none is
+  QTimer turn_;           ///< of 0 ms: fires behind the events that are posted, the drawing of the view before among them
 };
 
 }  // namespace glisson

@@ -141,4 +141,14 @@ std::vector<std::pair<SlicePoint, SlicePoint>> outlineOf(const Mask& mask, const
   return lines;
 }
 
+bool looksTheSame(const LiverModel* a, const LiverModel* b) {
+  if (a == nullptr || b == nullptr) {
+    return a == b;
+  }
+  return std::ranges::equal(a->structures, b->structures, [](const Structure& one, const Structure& other) {
+    return one.kind == other.kind && one.sourceIndex == other.sourceIndex && one.colour == other.colour &&
+           one.visible == other.visible && one.reconstruction == other.reconstruction;
+  });
+}
+
 }  // namespace glisson

@@ -1,10 +1,12 @@
 #pragma once
-// Purpose: what one slice shows of the voxels: the CT as grey values and the masks as outlines. Pure functions.
+// Purpose: what one slice shows of the voxels: the CT as grey values and the masks as outlines; and what of a model they depend on.
+// Pure functions.
 
 #include <QImage>
 #include <utility>
 #include <vector>
 
+#include "planning/case/liver_model.h"
 #include "reconstruction/image/ct_volume.h"
 #include "reconstruction/image/mask.h"
 #include "viewer/slice_geometry.h"
@@ -18,5 +20,8 @@ QImage sliceImage(const CtVolume& ct, const SliceGeometry& geometry, int slice, 
 /// slice's grid it is sampled at the slice's voxel centres (nearest).
 std::vector<std::pair<SlicePoint, SlicePoint>> outlineOf(const Mask& mask, const ImageGeometry& maskGrid,
                                                          const SliceGeometry& geometry, int slice);
+
+/// Whether slices show both models alike. Null is a model of its own.
+bool looksTheSame(const LiverModel* a, const LiverModel* b);
 
 }  // namespace glisson

@@ -1,5 +1,6 @@
 #include "viewer/slice_view.h"
 
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLocale>
@@ -38,16 +39,6 @@ std::pair<SliceAxis, SliceAxis> otherAxes(SliceAxis axis) {
       break;
   }
   return {SliceAxis::Coronal, SliceAxis::Axial};
-}
-
-bool looksTheSame(const LiverModel* a, const LiverModel* b) {
-  if (a == nullptr || b == nullptr) {
-    return a == b;
-  }
-  return std::ranges::equal(a->structures, b->structures, [](const Structure& one, const Structure& other) {
-    return one.kind == other.kind && one.sourceIndex == other.sourceIndex && one.colour == other.colour &&
-           one.visible == other.visible && one.reconstruction == other.reconstruction;
-  });
 }
 
 void drawSegments(QPainter& painter, const QTransform& transform, const std::vector<std::pair<SlicePoint, SlicePoint>>& segments) {
@@ -93,8 +84,8 @@ struct SliceView::Impl {
   void drawLegend(QPainter& painter) const;
   /// Null where it is not ready yet.
   [[nodiscard]] const MeshSlices* surfaceOf(const Structure& structure) const;
-  /// Makes at most one more surface ready, so that the window answers in between; false where all are.
-  bool readyOneMore();
+  /// Makes a few more surfaces ready, so that the window answers in between; false where all are.
+  bool readySome();
   /// Returns where the texts are.
   [[nodiscard]] std::vector<QRectF> drawTexts(QPainter& painter) const;
   void redraw() {
@@ -141,17 +132,21 @@ const MeshSlices* SliceView::Impl::surfaceOf(const Structure& structure) const {
   return found == surfaces.end() ? nullptr : &*found;
 }
 
-bool SliceView::Impl::readyOneMore() {
+bool SliceView::Impl::readySome() {
+  constexpr qint64 kMostMs = 6;
+  QElapsedTimer clock;
+  clock.start();
+  bool any = false;
   if (!model || !geometry) {
-    return false;
+    return any;
   }
   for (const Structure& structure : model->structures) {
-    if (structure.visible && structure.reconstruction && surfaceOf(structure) == nullptr) {
+    if (structure.visible && structure.reconstruction && surfaceOf(structure) == nullptr && (!any || clock.elapsed() < kMostMs)) {
       surfaces.emplace_back(structure.reconstruction, *geometry);
-      return true;
+      any = true;
     }
   }
-  return false;
+  return any;
 }
 
 void SliceView::Impl::drawSurfaces(QPainter& painter, const QTransform& transform) const {
@@ -353,9 +348,9 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
   } else {
     const double ratio = devicePixelRatioF();
     const QSize pixels(qRound(width() * ratio), qRound(height() * ratio));
-    if (d.readyOneMore()) {
+    if (d.readySome()) {
       d.cache = QPixmap();
-      update();  // the next one in a turn of its own
+      update();  // the next ones in a turn of their own
     }
     if (d.cache.size() != pixels) {
       d.cache = QPixmap(pixels);

@@ -11,6 +11,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace glisson {
@@ -19,6 +20,12 @@ namespace {
 
 constexpr double kResectedOpacity = 0.75;  ///< of the structure's own
 constexpr double kBlendMm = 0.5;           ///< on each side of a bent surface, at most
+
+/// Nothing is seen of its inside, from outside: half of the pixels need not be shaded. Where a plane cuts it the section lies
+/// before.
+bool enclosesVolume(const MeshDefects& defects) {
+  return !defects.noTriangles && defects.openEdges == 0 && defects.orientationEdges == 0 && !defects.inward;
+}
 
 void setColour(vtkActor* actor, Rgb colour) {
   actor->GetProperty()->SetColor(colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
@@ -33,7 +40,7 @@ Rgb resectedColour(Rgb colour) {
 }
 
 StructureActors::StructureActors(vtkRenderer* renderer, std::shared_ptr<const DisplayMesh> mesh, bool split)
-    : renderer_(renderer), mesh_(std::move(mesh)), split_(split) {
+    : renderer_(renderer), mesh_(std::move(mesh)), split_(split), closed_(enclosesVolume(mesh_->source->defects)) {
   sides_ = vtkSmartPointer<vtkLookupTable>::New();
   sides_->SetNumberOfTableValues(2);
   sides_->SetRange(-kBlendMm, kBlendMm);
@@ -65,6 +72,7 @@ void StructureActors::addPart() {
   part.actor->GetProperty()->SetDiffuse(0.85);
   part.actor->GetProperty()->SetSpecular(0.15);
   part.actor->GetProperty()->SetSpecularPower(20);
+  part.actor->GetProperty()->SetBackfaceCulling(closed_);
   renderer_->AddActor(part.actor);
   parts_.push_back(std::move(part));
 }
@@ -74,6 +82,12 @@ void StructureActors::setLook(Rgb colour, double opacity, bool visible) {
   opacity_ = opacity;
   visible_ = visible;
   apply();
+}
+
+double StructureActors::drawnOpacity() const {
+  // Of two walls what lies between them is seen through the near one: half of the far one's density goes there.
+  constexpr double kWalls = 1.5;
+  return closed_ ? 1 - std::pow(1 - opacity_, kWalls) : opacity_;
 }
 
 void StructureActors::clip(Part& part, const PlanCell& cell) {
@@ -213,14 +227,14 @@ void StructureActors::apply() {
     sides_->SetTableValue(0, colour_.r / 255.0, colour_.g / 255.0, colour_.b / 255.0, 1);
     sides_->SetTableValue(1, pale.r / 255.0, pale.g / 255.0, pale.b / 255.0, paleOpacity);
     sides_->Modified();
-    parts_.front().actor->GetProperty()->SetOpacity(opacity_);
+    parts_.front().actor->GetProperty()->SetOpacity(drawnOpacity());
     parts_.front().actor->SetVisibility(visible_);
     return;
   }
   for (const Part& part : parts_) {
     const bool resected = part.side == PlanSide::Resected;
     setColour(part.actor, resected ? resectedColour(colour_) : colour_);
-    part.actor->GetProperty()->SetOpacity(resected && opacity_ < 1.0 ? kResectedOpacity * opacity_ : opacity_);
+    part.actor->GetProperty()->SetOpacity(resected && opacity_ < 1.0 ? kResectedOpacity * drawnOpacity() : drawnOpacity());
     part.actor->SetVisibility(visible_);
   }
 }

@@ -57,6 +57,8 @@ class StructureActors {
     std::vector<vtkSmartPointer<vtkPlane>> clips;
   };
   void addPart();
+  /// Of the near wall alone where the far one is not drawn.
+  [[nodiscard]] double drawnOpacity() const;
   /// As many clipping planes as `cell` has bounds, standing there.
   static void clip(Part& part, const PlanCell& cell);
   void apply();
@@ -66,6 +68,7 @@ class StructureActors {
   vtkRenderer* renderer_;
   std::shared_ptr<const DisplayMesh> mesh_;
   bool split_;
+  bool closed_;  ///< nothing is seen of its inside: only what faces the eye is drawn
   std::vector<Part> parts_;
   ResectionPlan bent_;  ///< without resections: no plane is bent
   vtkSmartPointer<vtkLookupTable> sides_;

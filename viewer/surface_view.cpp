@@ -225,8 +225,8 @@ void SurfaceView::lookFrom(const Vec3& direction, const Vec3& up) {
   requestRender();
 }
 
-void SurfaceView::resizeGL(int width, int height) {
-  VtkWidget::resizeGL(width, height);
+void SurfaceView::resizeEvent(QResizeEvent* event) {
+  VtkWidget::resizeEvent(event);
   if (!impl_->scene.cameraByHand) {
     lookFrom(impl_->placedDirection, impl_->placedUp);
   }

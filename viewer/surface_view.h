@@ -45,7 +45,7 @@ class SurfaceView : public VtkWidget {
   void cameraMoved();
 
  protected:
-  void resizeGL(int width, int height) override;
+  void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
 

@@ -15,6 +15,7 @@
 
 #include "viewer/first_frames.h"
 #include "viewer/frame_budget.h"
+#include "viewer/graphics_context.h"
 #include "viewer/view_camera.h"
 #include "viewer/vtk_widget.h"
 
@@ -50,12 +51,11 @@ struct VtkWidget::Scene {
   std::optional<FrameQuality> asked;  ///< of the frame that is drawn for picture() or reportPicture()
   std::optional<Tile> tile;           ///< of the report's picture that is being drawn
   QImage tiles;                       ///< those drawn so far
-  bool started = false;               ///< VTK knows the widget's OpenGL context
-  bool resizing = false;              ///< inside Qt's own frame of a resize
+  GraphicsContext graphics;           ///< destroyed behind the window that draws in it
+  bool started = false;               ///< VTK knows that context
+  bool warmsUp = false;               ///< OpenGL starts though nobody sees the view
   bool due = false;                   ///< what is to be seen has changed since the last frame
-  QSize drawn;                        ///< pixels of the last frame; invalid before the first one in this context
-  bool stretches = false;             ///< the last frame has fewer pixels than the view
-  bool hasStretched = false;          ///< one had, in this context
+  QImage image;                       ///< the last frame, of fewer pixels than the view where it was drawn in haste; null before
   double area = 0;                    ///< logical pixels of the last resize
   FirstFrames first;                  ///< what was drawn in this context
   FrameBudget budget;                 ///< what frames have taken so far

@@ -13,9 +13,10 @@
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
+#include <QOpenGLFunctions>
 #include <QPainter>
 #include <QSurfaceFormat>
+#include <QWindow>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -66,7 +67,8 @@ class VtkWidget::WholeView {
   double angle_;
 };
 
-VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_unique<Scene>()) {
+VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent), scene_(std::make_unique<Scene>()) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(120, 90);
@@ -92,11 +94,15 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), scene_(std::make_
 }
 
 VtkWidget::~VtkWidget() {
-  if (context() != nullptr) {
-    disconnect(context(), nullptr, this, nullptr);
-    releaseGraphics();
-  }
+  makeCurrent();
+  scene_->window->Finalize();
+  scene_->window->SetReadyForRendering(false);
+  doneCurrent();
 }
+
+void VtkWidget::makeCurrent() { scene_->graphics.makeCurrent(); }
+
+void VtkWidget::doneCurrent() { scene_->graphics.doneCurrent(); }
 
 void VtkWidget::connectRenderWindow() {
   Scene& s = *scene_;
@@ -105,15 +111,10 @@ void VtkWidget::connectRenderWindow() {
   s.window->SetFrameBlitModeToNoBlit();
   s.window->SetSupportsOpenGL(1);
   s.window->SetIsDirect(1);
-  // Not QOpenGLWidget::makeCurrent(): it rebinds the widget's own framebuffer in the middle of VTK's frame.
-  observe(s.window, vtkCommand::WindowMakeCurrentEvent, this, [](vtkObject*, unsigned long, void* receiver, void*) {
-    QOpenGLContext* context = static_cast<VtkWidget*>(receiver)->context();
-    if (context != nullptr) {
-      context->makeCurrent(context->surface());
-    }
-  });
+  observe(s.window, vtkCommand::WindowMakeCurrentEvent, this,
+          [](vtkObject*, unsigned long, void* receiver, void*) { static_cast<VtkWidget*>(receiver)->makeCurrent(); });
   observe(s.window, vtkCommand::WindowIsCurrentEvent, this, [](vtkObject*, unsigned long, void* receiver, void* answer) {
-    *static_cast<bool*>(answer) = static_cast<VtkWidget*>(receiver)->context() == QOpenGLContext::currentContext();
+    *static_cast<bool*>(answer) = static_cast<VtkWidget*>(receiver)->scene_->graphics.isCurrent();
   });
 
   // The interactor never draws by itself: it asks, and Qt makes one frame of many requests.
@@ -145,7 +146,7 @@ void VtkWidget::prepareSurfaceFormat() {
 
 void VtkWidget::requestRender() {
   if (QGuiApplication::mouseButtons() != Qt::NoButton) {
-    drawSoon();  // in one turn with what a drag moves along
+    drawSoon();
   } else {
     RedrawQueue::instance().add(this);
   }
@@ -156,13 +157,50 @@ void VtkWidget::drawSoon() {
   update();
 }
 
+bool VtkWidget::isSeen() const {
+  const QWindow* shown = window()->windowHandle();
+  return isVisible() && shown != nullptr && shown->isExposed();
+}
+
+void VtkWidget::drawInThisTurn() {
+  Scene& s = *scene_;
+  const bool seen = isSeen();
+  if (!s.started && !s.graphics.failed() && (seen || s.warmsUp)) {
+    // OpenGL, then VTK's half of it: each a long turn.
+    if (!s.graphics.started()) {
+      s.graphics.start();
+      doneCurrent();
+    } else {
+      startGraphics();
+    }
+    RedrawQueue::instance().add(this);
+  } else if (seen && s.started) {
+    draw();
+    update();
+  } else {
+    drawSoon();
+  }
+}
+
+void VtkWidget::warmUp() {
+  scene_->warmsUp = true;
+  RedrawQueue::instance().add(this);
+}
+
+QImage VtkWidget::nextFrame() {
+  if (startGraphics()) {
+    draw();
+  }
+  return scene_->image;
+}
+
 QImage VtkWidget::picture() {
-  if (!isValid() && !window()->isVisible()) {
-    // OpenGL needs a window: make one that nobody sees.
+  if (!window()->isVisible()) {
+    // Sizes and layouts need a window: make one that nobody sees.
     QWidget* top = window();
     top->setAttribute(Qt::WA_DontShowOnScreen);
     top->show();
-    QImage image = picture();
+    QImage image = frameOf(FrameQuality::Picture);
     top->hide();
     top->setAttribute(Qt::WA_DontShowOnScreen, false);
     return image;
@@ -175,15 +213,13 @@ std::optional<QImage> VtkWidget::reportPicture() {
     setAttribute(Qt::WA_DontShowOnScreen);
     setUpdatesEnabled(false);  // drawn only when it is asked
     show();
-    scene_->due = true;
-    grabFramebuffer();  // OpenGL starts in a turn of its own
-    return isValid() ? std::nullopt : std::optional(QImage());
-  }
-  if (!isValid()) {
-    return QImage();
+    return startGraphics() ? std::nullopt : std::optional(QImage());  // in a turn of its own
   }
   Scene& s = *scene_;
-  if (s.drawn.isEmpty()) {
+  if (!s.started) {
+    return QImage();
+  }
+  if (s.image.isNull()) {
     static_cast<void>(frameOf(FrameQuality::Moving));  // the programs without depth peeling are compiled in a turn of their own
     return std::nullopt;
   }
@@ -191,13 +227,13 @@ std::optional<QImage> VtkWidget::reportPicture() {
     s.tile = Tile();
     s.tiles = QImage(kReportTiles * pixels(), QImage::Format_RGB32);
   }
-  const QImage drawn = frameOf(FrameQuality::Report);
+  QImage drawn = frameOf(FrameQuality::Report);
   if (s.frame.moreToUpload) {
     return std::nullopt;
   }
+  drawn.setDevicePixelRatio(1);
   QPainter painter(&s.tiles);
-  painter.drawImage(QRect(QPoint(s.tile->x * pixels().width(), (kReportTiles - 1 - s.tile->y) * pixels().height()), pixels()),
-                    drawn);
+  painter.drawImage(QPoint(s.tile->x * pixels().width(), (kReportTiles - 1 - s.tile->y) * pixels().height()), drawn);
   painter.end();
   s.tile = s.tile->next();
   return s.tile ? std::nullopt : std::optional(std::exchange(s.tiles, QImage()));
@@ -205,44 +241,34 @@ std::optional<QImage> VtkWidget::reportPicture() {
 
 QImage VtkWidget::frameOf(FrameQuality quality) {
   scene_->asked = quality;
-  QImage image = grabFramebuffer();
+  QImage image = nextFrame();
   scene_->asked.reset();
   return image;
 }
 
 VtkWidget::Scene& VtkWidget::scene() { return *scene_; }
 
-void VtkWidget::initializeGL() {
-  // A widget that moves to another window gets a new context: what VTK uploaded belongs to the old one.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::releaseGraphics, Qt::DirectConnection);
-  scene_->started = false;
-  scene_->budget.forget();
-}
-
-void VtkWidget::releaseGraphics() {
+bool VtkWidget::startGraphics() {
+  Scene& s = *scene_;
+  if (s.started || !s.graphics.start()) {
+    return s.started;
+  }
   makeCurrent();
-  scene_->window->Finalize();
-  scene_->window->SetReadyForRendering(false);
-  scene_->started = false;
-  scene_->hasStretched = false;
-  scene_->first.forget();
-  scene_->drawn = {};
+  s.started = true;
+  s.window->SetReadyForRendering(true);
+  s.window->OpenGLInitContext();
   doneCurrent();
-}
-
-void VtkWidget::resizeGL(int width, int height) {
-  const double area = std::max(1.0, static_cast<double>(width) * height);
-  scene_->budget.areaChanged(scene_->area > 0 ? area / scene_->area : 1.0);
-  scene_->area = area;
-  scene_->touch();  // Qt draws at once after every step of a resize: quick frames until it rests
+  return true;
 }
 
 void VtkWidget::resizeEvent(QResizeEvent* event) {
-  scene_->resizing = true;
-  QOpenGLWidget::resizeEvent(event);  // draws at once what nobody sees
-  scene_->resizing = false;
+  QWidget::resizeEvent(event);
+  const double area = std::max(1.0, static_cast<double>(width()) * height());
+  scene_->budget.areaChanged(scene_->area > 0 ? area / scene_->area : 1.0);
+  scene_->area = area;
   const QSize size = pixels();
   scene_->interactor->UpdateSize(size.width(), size.height());  // the mouse may come before the first frame
+  scene_->touch();                                              // quick frames until it rests
   requestRender();
 }
 
@@ -251,119 +277,89 @@ QSize VtkWidget::pixels() const {
   return {qRound(width() * ratio), qRound(height() * ratio)};
 }
 
-void VtkWidget::paintGL() {
+void VtkWidget::draw() {
   Scene& s = *scene_;
+  makeCurrent();
+  s.due = false;
   const QSize pixels = this->pixels();
-  if (s.resizing || (!std::exchange(s.due, false) && !s.asked)) {
-    // Qt composes the window anew for a reason of its own, perhaps with many views in one turn: the last frame will do until
-    // this view's own turn
-    repeatFrame(pixels);
-    return;
-  }
-  if (!std::exchange(s.started, true)) {
-    s.window->SetReadyForRendering(true);
-    s.window->OpenGLInitContext();
-    if (!s.asked) {
-      repeatFrame(pixels);  // that alone was a long turn
-      return;
-    }
-  }
   s.interactor->UpdateSize(pixels.width(), pixels.height());
   const FrameQuality quality = s.asked.value_or(s.moving ? FrameQuality::Moving : FrameQuality::Resting);
   if (s.beforeFrame) {
     s.beforeFrame(quality);
   }
   const double scale = s.frame.scale;
-  if (scale < 1 && !std::exchange(s.hasStretched, true)) {
-    // A software renderer compiles a program for it: in a turn of its own.
-    s.stretches = true;
-    s.drawn -= QSize(1, 1);
-    repeatFrame(pixels);
-    drawSoon();
-    return;
-  }
-  s.stretches = scale < 1;
+  const QSize drawn(std::max(1, qRound(pixels.width() * scale)), std::max(1, qRound(pixels.height() * scale)));
   s.window->SetDPI(qRound(72 * devicePixelRatioF() * scale));
-  vtkOpenGLState* state = s.window->GetState();
-  state->Reset();
-  state->Push();
+  s.window->GetState()->Reset();
   QElapsedTimer clock;
   clock.start();
-  s.window->SetSize(qRound(pixels.width() * scale), qRound(pixels.height() * scale));
+  s.window->SetSize(drawn.width(), drawn.height());
   const WholeView whole(s);
   s.holdNewProps();
   s.window->Render();
   s.first.release();
-  context()->functions()->glFinish();  // a software renderer works behind our back: what a frame costs is known only now
+  s.image = readBack(drawn);  // waits for a software renderer, which works behind our back: what a frame costs is known only now
   const double ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
-  s.drawn = QSize(qRound(pixels.width() * scale), qRound(pixels.height() * scale));
-  copyToWidget(pixels);
-  state->Pop();
   s.window->SetSize(pixels.width(), pixels.height());  // the interactor measures the mouse against it
+  doneCurrent();
   if (s.budget.remember(s.frame, ms)) {
     s.rest.start(s.frame.moreToUpload ? kUploadGapMs : kRestMs);
   } else if (s.moving && !s.asked && s.frame.moreToUpload) {
     RedrawQueue::instance().add(this);  // a hand that pauses in a drag sees all of it
   }
+  emit frameDrawn();
 }
 
-void VtkWidget::repeatFrame(const QSize& pixels) {
-  Scene& s = *scene_;
-  if (!s.drawn.isValid()) {
-    clearToBackground();
-    RedrawQueue::instance().add(this);
-    return;
-  }
-  vtkOpenGLState* state = s.window->GetState();
-  state->Reset();
-  state->Push();
-  copyToWidget(pixels);
-  state->Pop();
-}
-
-void VtkWidget::clearToBackground() {
-  const double* colour = scene_->renderer->GetBackground();
-  QOpenGLFunctions* gl = context()->functions();
-  gl->glClearColor(static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2]), 1);
-  gl->glClear(GL_COLOR_BUFFER_BIT);
-}
-
-void VtkWidget::copyToWidget(const QSize& pixels) {
-  vtkGenericOpenGLRenderWindow* window = scene_->window;
-  vtkOpenGLFramebufferObject* display = window->GetDisplayFramebuffer();
+QImage VtkWidget::readBack(const QSize& pixels) const {
+  QImage image(pixels, QImage::Format_RGB32);
+  vtkOpenGLFramebufferObject* display = scene_->window->GetDisplayFramebuffer();
   if (display == nullptr) {
-    return;
+    return {};
   }
-  const QSize size = scene_->drawn;
-  QOpenGLExtraFunctions* gl = context()->extraFunctions();
-  vtkOpenGLState* state = window->GetState();
-  state->PushFramebufferBindings();
+  vtkOpenGLState* state = scene_->window->GetState();
+  state->PushReadFramebufferBinding();
   display->Bind(GL_READ_FRAMEBUFFER);
   display->ActivateReadBuffer(0);
-  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-  gl->glDisable(GL_SCISSOR_TEST);
-  if (scene_->stretches) {
-    gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  } else {
-    // The frame of another size is not stretched: the middle stays in the middle, and no program must be compiled for it.
-    if (size != pixels) {
-      clearToBackground();
+  QOpenGLFunctions* gl = scene_->graphics.context()->functions();
+  gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl->glReadPixels(0, 0, pixels.width(), pixels.height(), GL_BGRA, GL_UNSIGNED_BYTE, image.bits());
+  state->PopReadFramebufferBinding();
+  image.mirror();  // OpenGL's rows begin at the bottom
+  image.setDevicePixelRatio(devicePixelRatioF());
+  return image;
+}
+
+void VtkWidget::paintEvent(QPaintEvent* /*event*/) {
+  Scene& s = *scene_;
+  if (s.due && s.started) {
+    if (QGuiApplication::mouseButtons() != Qt::NoButton || !isSeen()) {
+      draw();  // in one turn with what a drag moves along
+    } else {
+      RedrawQueue::instance().add(this);
     }
-    const QRect from = QRect({}, size) & QRect((size.width() - pixels.width()) / 2, (size.height() - pixels.height()) / 2,
-                                               pixels.width(), pixels.height());
-    const QPoint to((pixels.width() - from.width()) / 2, (pixels.height() - from.height()) / 2);
-    gl->glBlitFramebuffer(from.x(), from.y(), from.x() + from.width(), from.y() + from.height(), to.x(), to.y(),
-                          to.x() + from.width(), to.y() + from.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
-  // Qt composes the widget with its alpha; what VTK left there would let the window shine through.
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  gl->glClearColor(0, 0, 0, 1);
-  gl->glClear(GL_COLOR_BUFFER_BIT);
-  gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->PopFramebufferBindings();
-  state->Reset();
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  QPainter painter(this);
+  const bool hasty = s.frame.scale < 1;
+  if (hasty && !s.image.isNull()) {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(rect(), s.image);
+    return;
+  }
+  // A frame of another size is not stretched: the middle stays in the middle.
+  if (s.image.size() != pixels()) {
+    const double* colour = s.renderer->GetBackground();
+    painter.fillRect(rect(),
+                     QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2])));
+  }
+  if (!s.image.isNull()) {
+    const QSizeF size = s.image.deviceIndependentSize();
+    painter.drawImage(QPointF(0.5 * (width() - size.width()), 0.5 * (height() - size.height())), s.image);
+  } else if (s.graphics.failed()) {
+    painter.setPen(Qt::lightGray);
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("No 3D picture: OpenGL 3.2 does not work on this computer."));
+  } else {
+    RedrawQueue::instance().add(this);
+  }
 }
 
 void VtkWidget::placePointer(const QPointF& position, Qt::KeyboardModifiers modifiers, int repeat) {
@@ -405,7 +401,7 @@ bool VtkWidget::event(QEvent* event) {
     default:
       break;
   }
-  return QOpenGLWidget::event(event);
+  return QWidget::event(event);
 }
 
 void VtkWidget::mousePressEvent(QMouseEvent* event) {
@@ -469,12 +465,12 @@ void VtkWidget::keyPressEvent(QKeyEvent* event) {
                                              event->modifiers().testFlag(Qt::ShiftModifier) ? 1 : 0,
                                              text.isEmpty() ? '\0' : text[0], event->count(), nullptr);
   scene_->interactor->KeyPressEvent();
-  QOpenGLWidget::keyPressEvent(event);
+  QWidget::keyPressEvent(event);
 }
 
 void VtkWidget::keyReleaseEvent(QKeyEvent* event) {
   scene_->interactor->KeyReleaseEvent();
-  QOpenGLWidget::keyReleaseEvent(event);
+  QWidget::keyReleaseEvent(event);
 }
 
 }  // namespace glisson

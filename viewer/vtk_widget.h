@@ -1,10 +1,10 @@
 #pragma once
-// Purpose: VTK 9.1 inside a Qt 6 QOpenGLWidget (Debian's QVTK is Qt 5 only). Translates Qt's mouse, wheel, key and resize events to
-// the VTK interactor, in device pixels. VTK types stay out of this header. While something moves, frames are drawn without depth
-// peeling; the resting frame follows 150 ms later.
+// Purpose: VTK 9.1 inside a Qt 6 widget (Debian's QVTK is Qt 5 only): drawn in a context of its own (graphics_context.h), read back
+// and painted. Translates Qt's mouse, wheel, key and resize events to the VTK interactor, in device pixels. VTK types stay out of
+// this header. While something moves, frames are drawn without depth peeling; the resting frame follows 150 ms later.
 
 #include <QImage>
-#include <QOpenGLWidget>
+#include <QWidget>
 #include <memory>
 #include <optional>
 
@@ -12,7 +12,7 @@
 
 namespace glisson {
 
-class VtkWidget : public QOpenGLWidget {
+class VtkWidget : public QWidget {
   Q_OBJECT
  public:
   explicit VtkWidget(QWidget* parent = nullptr);
@@ -22,8 +22,13 @@ class VtkWidget : public QOpenGLWidget {
   static void prepareSurfaceFormat();
   /// Draws again soon; several calls make one frame.
   void requestRender();
-  /// Draws with the next update of the window. For RedrawQueue.
-  void drawSoon();
+  /// Starts OpenGL soon, before there is something to show.
+  void warmUp();
+  /// Draws now what the next update of the window shows, and asks for that: both take a turn of the event loop each. For
+  /// RedrawQueue.
+  void drawInThisTurn();
+  /// Draws what has changed, as the screen would show it now. A null image where OpenGL is not available.
+  [[nodiscard]] QImage nextFrame();
   /// What is seen, after all pending changes, with depth peeling. A null image where OpenGL is not available.
   [[nodiscard]] QImage picture();
   /// The same of a view of its own that nobody sees, kReportTiles times as wide and as high as the view, in steps that take little
@@ -32,13 +37,17 @@ class VtkWidget : public QOpenGLWidget {
   [[nodiscard]] std::optional<QImage> reportPicture();
   static constexpr int kReportTiles = 2;
 
+ signals:
+  void frameDrawn();
+
  protected:
   class WholeView;
   struct Scene;  ///< render window, renderer, interactor (viewer/vtk_scene.h, VTK types)
   [[nodiscard]] Scene& scene();
-  void initializeGL() override;
-  void paintGL() override;
-  void resizeGL(int width, int height) override;
+  /// To free what VTK has uploaded. Nothing where OpenGL has not started.
+  void makeCurrent();
+  void doneCurrent();
+  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -49,14 +58,18 @@ class VtkWidget : public QOpenGLWidget {
   void keyReleaseEvent(QKeyEvent* event) override;
 
  private:
-  void releaseGraphics();
+  /// On a screen, at least in part.
+  [[nodiscard]] bool isSeen() const;
+  /// Draws with the next update of the window.
+  void drawSoon();
+  /// OpenGL and VTK's half of it. False where it does not work.
+  bool startGraphics();
+  /// The next frame, into scene().image.
+  void draw();
+  [[nodiscard]] QImage readBack(const QSize& pixels) const;
   void connectRenderWindow();
   [[nodiscard]] QSize pixels() const;
   [[nodiscard]] QImage frameOf(FrameQuality quality);
-  /// The last frame; the background where there is none.
-  void repeatFrame(const QSize& pixels);
-  void clearToBackground();
-  void copyToWidget(const QSize& pixels);
   void placePointer(const QPointF& position, Qt::KeyboardModifiers modifiers, int repeat);
 
   std::unique_ptr<Scene> scene_;

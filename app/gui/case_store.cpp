@@ -4,6 +4,7 @@
 
 #include "app/jobs/job_runner.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/parallel.h"
 
 namespace glisson {
 
@@ -19,6 +20,8 @@ struct CaseStore::Worker : public QObject {
 
 CaseStore::CaseStore(QObject* parent) : QObject(parent), worker_(std::make_unique<Worker>()) {
   worker_->moveToThread(&thread_);
+  // It compresses whole models: the window goes first. A thread that gave way once keeps doing so.
+  connect(&thread_, &QThread::started, worker_.get(), [] { const BackgroundWork givesWay; });
   thread_.start();
 }
 

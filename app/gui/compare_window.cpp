@@ -128,17 +128,17 @@ void CompareWindow::makeViews() {
 void CompareWindow::retranslateUi() {
   setWindowTitle(tr("Compare plans"));
   choice_->setText(tr("Plans compared"));
-  QStringList headers{tr("Value")};
-  for (const std::size_t plan : chosen_) {
-    headers << shownName(document_.content().plans[plan].name);
-  }
-  table_->setHeaderLabels(headers);
   refresh();
+}
+
+bool CompareWindow::chosenExist() const {
+  const std::size_t plans = document_.isOpen() ? document_.content().plans.size() : 0;
+  return std::ranges::all_of(chosen_, [&](std::size_t plan) { return plan < plans; });
 }
 
 void CompareWindow::refresh() {
   const std::vector<ResectionPlan>& plans = document_.content().plans;
-  if (!document_.isOpen() || std::ranges::any_of(chosen_, [&](std::size_t plan) { return plan >= plans.size(); })) {
+  if (!chosenExist()) {
     if (document_.isOpen() && plans.size() >= 2) {
       choose(chosen_);
     } else {
@@ -184,7 +184,7 @@ void CompareWindow::refresh() {
 
 void CompareWindow::showNumbers(const std::vector<PlanAssessment>& assessments) {
   const std::vector<ResectionPlan>& plans = document_.content().plans;
-  if (assessments.size() != plans.size()) {
+  if (assessments.size() != plans.size() || !chosenExist()) {
     return;
   }
   std::vector<AssessedPlan> compared;

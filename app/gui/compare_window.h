@@ -31,6 +31,7 @@ class CompareWindow : public Translated<QWidget> {
   void retranslateUi() override;
 
  private:
+  [[nodiscard]] bool chosenExist() const;
   void refresh();
   void makeViews();
   void showNumbers(const std::vector<PlanAssessment>& assessments);

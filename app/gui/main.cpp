@@ -12,8 +12,10 @@
 #include "app/gui/main_window.h"
 #include "app/gui/screenshot.h"
 #include "app/gui/start_options.h"
+#include "app/gui/view_area.h"
 #include "app/jobs/thread_job_runner.h"
 #include "reconstruction/errors.h"
+#include "viewer/model_view.h"
 #include "viewer/vtk_widget.h"
 
 namespace {
@@ -59,6 +61,7 @@ int run(QApplication& application, const glisson::StartOptions& options) {
       });
     }
     window.show();
+    window.views().modelView().warmUp();
     QTimer::singleShot(0, &window, [&window, &options] {
       if (options.sample) {
         window.opener().openSample();

@@ -48,7 +48,7 @@ Moments moveTo(MainWindow& window, JobRunner& jobs, int depth) {
     }
     colours = !side.pending() && side.surface().errors != nullptr;
   });
-  QObject::connect(&view, &QOpenGLWidget::frameSwapped, &listener, [&] {
+  QObject::connect(&view, &VtkWidget::frameDrawn, &listener, [&] {
     if (moments.surface >= 0 && moments.drawn < 0) {
       moments.drawn = clock.elapsed();
     }

@@ -4,11 +4,13 @@
 // Prints, per phase: turns of the event loop, their median and worst, and every turn above 100 ms with what ran in it; then how
 // long the work went on after a cancel.
 
+#include <QEventLoop>
 #include <QPushButton>
 #include <QSettings>
 #include <QSlider>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest>
 #include <cstdio>
 
@@ -26,15 +28,22 @@ namespace {
 
 template <class Until>
 bool runUntil(Until until, int seconds) {
-  QElapsedTimer clock;
-  clock.start();
-  while (!until()) {
-    if (clock.elapsed() > seconds * 1000) {
-      return false;
+  // A loop as the program's own: processEvents() with a time limit spins, and gives timers another rank.
+  QEventLoop loop;
+  QTimer look;
+  bool reached = until();
+  QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+    reached = until();
+    if (reached) {
+      loop.quit();
     }
-    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+  });
+  look.start(20);
+  QTimer::singleShot(seconds * 1000, &loop, &QEventLoop::quit);
+  if (!reached) {
+    loop.exec();
   }
-  return true;
+  return reached;
 }
 
 void rest(int milliseconds) {
@@ -85,7 +94,10 @@ class Session {
   }
 
   bool openCase() {
-    act("show", [&] { window_.show(); });
+    act("show", [&] {
+      window_.show();
+      window_.views().modelView().warmUp();
+    });
     application_.act("open", [&] { openInputs(); });
     if (!runUntil([&] { return document_.isOpen() || !problem_.isEmpty(); }, 600) || !problem_.isEmpty()) {
       return false;

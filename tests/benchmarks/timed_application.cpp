@@ -22,6 +22,13 @@ double clockMs(clockid_t clock) {
   return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
+/// How long this thread has waited for a processor so far: "time on the processor, time in the queue, turns", in nanoseconds.
+double queuedMs() {
+  QFile stat("/proc/thread-self/schedstat");
+  const QList<QByteArray> numbers = stat.open(QIODevice::ReadOnly) ? stat.readAll().split(' ') : QList<QByteArray>();
+  return numbers.size() > 1 ? numbers[1].toDouble() * 1e-6 : 0;
+}
+
 double median(std::vector<double>& values) {
   std::ranges::sort(values);
   return values[values.size() / 2];
@@ -57,6 +64,7 @@ std::size_t TimedApplication::enter(const QString& what) {
     current_.phase = phase_;
     current_.startMs = now;
     current_.cpuMs = cpu;
+    current_.queuedMs = queuedMs();
   }
   current_.parts.push_back({what, depth_++, now, cpu});
   return current_.parts.size() - 1;
@@ -75,6 +83,7 @@ void TimedApplication::endRound() {
   }
   current_.wallMs = clockMs(CLOCK_MONOTONIC) - current_.startMs;
   current_.cpuMs = clockMs(CLOCK_THREAD_CPUTIME_ID) - current_.cpuMs;
+  current_.queuedMs = queuedMs() - current_.queuedMs;
   current_.aloneMs = current_.cpuMs + drawingMs();
   rounds_.push_back(std::move(current_));
   current_ = {};
@@ -140,8 +149,8 @@ void TimedApplication::report() const {
     if (round.wallMs <= kAnswerMs) {
       continue;
     }
-    std::printf("%s at %.3f s: %.0f ms wall, %.0f ms cpu, %.0f ms alone\n", qPrintable(round.phase), round.startMs * 1e-3,
-                round.wallMs, round.cpuMs, round.aloneMs);
+    std::printf("%s at %.3f s: %.0f ms wall, %.0f ms cpu, %.0f ms alone, %.0f ms queued\n", qPrintable(round.phase),
+                round.startMs * 1e-3, round.wallMs, round.cpuMs, round.aloneMs, round.queuedMs);
     for (const Part& part : round.parts) {
       if (part.wallMs >= kShownMs) {
         std::printf("    %*s%4.0f wall %4.0f cpu  %s\n", 2 * part.depth, "", part.wallMs, part.cpuMs, qPrintable(part.what));

@@ -25,6 +25,7 @@ struct Round {
   double startMs = 0;  ///< of the monotonic clock, as `perf record -k mono` has it
   double wallMs = 0;
   double cpuMs = 0;
+  double queuedMs = 0;  ///< ready to run while others had the processors
   double aloneMs =
       0;  ///< cpuMs and what the busiest thread of the software OpenGL took: the wall clock of a machine without other work
   std::vector<Part> parts;

@@ -402,12 +402,12 @@ TEST_F(ModelViewTest, FramesOfAHundredThousandTrianglesWhileThePlaneMovesAreDraw
   std::clock_t start = std::clock();
   view.setModel(asymmetricModel(0.35, 160));
   const double uploadMs = processorMs(start);
-  view.grabFramebuffer();
+  static_cast<void>(view.nextFrame());
   std::vector<double> frames;
   for (int n = 0; n < 15; ++n) {
     start = std::clock();
     view.setPlane(HalfSpace{Vec3(2.0 * n - 15, 0, 0), Vec3(1, 0.2, 0.1).normalized()});
-    ASSERT_FALSE(view.grabFramebuffer().isNull());
+    ASSERT_FALSE(view.nextFrame().isNull());
     frames.push_back(processorMs(start));
   }
   std::nth_element(frames.begin(), frames.begin() + 7, frames.end());

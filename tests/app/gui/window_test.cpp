@@ -17,6 +17,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollBar>
@@ -1066,6 +1067,22 @@ TEST_F(WindowTest, TwoPlansStandSideBySideWithLinkedCamerasAndMarkedValues) {
   compare->views()[0]->setStandardView(ModelView::StandardView::Left);
   EXPECT_TRUE(waitFor([&] { return compare->views()[1]->viewDirection().x() < -0.99; }));
   compare->close();
+}
+
+TEST_F(WindowTest, AComparisonThatIsBeingClosedBearsAnotherLanguageAndACaseWithFewerPlans) {
+  openSmallWithPlane();
+  find<QAction>("actionDuplicatePlan")->trigger();
+  ASSERT_TRUE(settle());
+  find<QAction>("actionComparePlans")->trigger();
+  const QPointer<CompareWindow> compare = find<CompareWindow>("compareWindow");
+  compare->close();
+  document().undoStack().undo();
+  ASSERT_EQ(document().content().plans.size(), 1U);
+  ASSERT_NE(compare, nullptr);  // deleted by the next turn of the event loop
+  window->setLanguage("de");
+  QEvent change(QEvent::LanguageChange);
+  QCoreApplication::sendEvent(compare, &change);
+  EXPECT_FALSE(compare->isVisible());
 }
 
 }  // namespace

@@ -1,0 +1,35 @@
+#include "viewer/graphics_context.h"
+
+namespace glisson {
+
+bool GraphicsContext::start() {
+  if (started() || failed_) {
+    return started();
+  }
+  auto surface = std::make_unique<QOffscreenSurface>();
+  surface->setFormat(QSurfaceFormat::defaultFormat());
+  surface->create();
+  auto context = std::make_unique<QOpenGLContext>();
+  context->setFormat(surface->requestedFormat());
+  if (!surface->isValid() || !context->create() || !context->makeCurrent(surface.get())) {
+    failed_ = true;
+    return false;
+  }
+  surface_ = std::move(surface);
+  context_ = std::move(context);
+  return true;
+}
+
+void GraphicsContext::makeCurrent() {
+  if (context_ != nullptr) {
+    context_->makeCurrent(surface_.get());
+  }
+}
+
+void GraphicsContext::doneCurrent() {
+  if (context_ != nullptr) {
+    context_->doneCurrent();
+  }
+}
+
+}  // namespace glisson
