@@ -34,6 +34,4 @@ void FirstFrames::release() {
   held_.clear();
 }
 
-void FirstFrames::forget() { drawn_ = {}; }
-
 }  // namespace glisson

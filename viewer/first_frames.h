@@ -23,8 +23,6 @@ class FirstFrames {
   /// Hides all but the first of the visible props that were not drawn before, until release().
   Held hold(std::span<vtkRenderer* const> layers, bool peels);
   void release();
-  /// A new context: nothing is drawn yet.
-  void forget();
 
  private:
   std::array<std::set<const vtkProp*>, 2> drawn_;  ///< without depth peeling, with it

@@ -8,8 +8,8 @@
 
 namespace glisson {
 
-/// What a view may take of the 100 ms within which the window answers (reliability.md): some 15 ms are Qt's, to compose the window,
-/// and frames of one kind differ by a third.
+/// What a view may take of the 100 ms within which the window answers (reliability.md): in a drag the slices are painted in the
+/// same turn, and frames of one kind differ by a third.
 inline constexpr double kFrameBudgetMs = 65.0;
 
 /// Moving: as fast as possible (coarse meshes, no peeling). Resting: reduced meshes; full ones and peeling where they fit into

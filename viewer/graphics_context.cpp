@@ -11,7 +11,8 @@ bool GraphicsContext::start() {
   surface->create();
   auto context = std::make_unique<QOpenGLContext>();
   context->setFormat(surface->requestedFormat());
-  if (!surface->isValid() || !context->create() || !context->makeCurrent(surface.get())) {
+  if (!surface->isValid() || !context->create() || context->isOpenGLES() || context->format().version() < qMakePair(3, 2) ||
+      !context->makeCurrent(surface.get())) {
     failed_ = true;
     return false;
   }
@@ -20,11 +21,7 @@ bool GraphicsContext::start() {
   return true;
 }
 
-void GraphicsContext::makeCurrent() {
-  if (context_ != nullptr) {
-    context_->makeCurrent(surface_.get());
-  }
-}
+bool GraphicsContext::makeCurrent() { return context_ != nullptr && context_->makeCurrent(surface_.get()); }
 
 void GraphicsContext::doneCurrent() {
   if (context_ != nullptr) {

@@ -11,15 +11,15 @@ namespace glisson {
 
 class GraphicsContext {
  public:
-  /// Makes the context of the default QSurfaceFormat and makes it current. False where OpenGL does not work; asked only once.
+  /// Makes the context of the default QSurfaceFormat and makes it current. False where OpenGL 3.2 does not work; asked only once.
   bool start();
   [[nodiscard]] bool started() const { return context_ != nullptr; }
   [[nodiscard]] bool failed() const { return failed_; }
-  /// Nothing before start().
-  void makeCurrent();
+  /// False before start(), and where the system has lost it.
+  bool makeCurrent();
   void doneCurrent();
   [[nodiscard]] bool isCurrent() const { return context_ != nullptr && QOpenGLContext::currentContext() == context_.get(); }
-  /// Not null behind start().
+  /// Null until started().
   [[nodiscard]] QOpenGLContext* context() const { return context_.get(); }
 
  private:

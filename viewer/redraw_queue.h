@@ -23,13 +23,13 @@ class RedrawQueue : public QObject {
  private:
   explicit RedrawQueue(QObject* parent);
   void drawNext();
-  /// The window was composed in this round of the event loop, and no frame has waited for long.
+  /// This round of the event loop has taken its time already, most likely to paint the window, and this frame has not waited long.
   [[nodiscard]] bool shouldWait();
 
   QList<QPointer<VtkWidget>> waiting_;
   QElapsedTimer round_;   ///< since the event loop last looked for news
   QElapsedTimer waited_;  ///< since a frame was first put off; invalid where none is
-  QTimer turn_;           ///< of 0 ms: fires behind the events that are posted, the drawing of the view before among them
+  QTimer turn_;           ///< of 0 ms: fires behind the events that are posted, the painting of the view before among them
 };
 
 }  // namespace glisson

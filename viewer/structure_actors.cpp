@@ -85,7 +85,7 @@ void StructureActors::setLook(Rgb colour, double opacity, bool visible) {
 }
 
 double StructureActors::drawnOpacity() const {
-  // Of two walls what lies between them is seen through the near one: half of the far one's density goes there.
+  // What lies between the two walls is seen through the near one: it takes half of the far one's density.
   constexpr double kWalls = 1.5;
   return closed_ ? 1 - std::pow(1 - opacity_, kWalls) : opacity_;
 }

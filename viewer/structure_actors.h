@@ -34,6 +34,8 @@ class StructureActors {
   StructureActors(const StructureActors&) = delete;
   StructureActors& operator=(const StructureActors&) = delete;
 
+  /// A closed surface is drawn on the side that is seen alone, so its near wall is a little denser than `opacity`, as the far one
+  /// would make it: 0.35 is drawn as 0.48.
   void setLook(Rgb colour, double opacity, bool visible);
   void setPlan(const ResectionPlan& plan);
   /// What the next frame draws, to be called before each one; it uploads what was not drawn before.

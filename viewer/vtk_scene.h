@@ -39,6 +39,7 @@ struct Tile {
 };
 
 struct VtkWidget::Scene {
+  GraphicsContext graphics;  ///< the first: goes behind the window that draws in it
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;  ///< the model: layer 0
   vtkNew<vtkRenderer> overlay;   ///< what nothing may hide (handles, outline): layer 1, same camera
@@ -51,11 +52,10 @@ struct VtkWidget::Scene {
   std::optional<FrameQuality> asked;  ///< of the frame that is drawn for picture() or reportPicture()
   std::optional<Tile> tile;           ///< of the report's picture that is being drawn
   QImage tiles;                       ///< those drawn so far
-  GraphicsContext graphics;           ///< destroyed behind the window that draws in it
   bool started = false;               ///< VTK knows that context
   bool warmsUp = false;               ///< OpenGL starts though nobody sees the view
   bool due = false;                   ///< what is to be seen has changed since the last frame
-  QImage image;                       ///< the last frame, of fewer pixels than the view where it was drawn in haste; null before
+  QImage image;                       ///< the last frame, with fewer pixels than the view where drawn in haste; null before
   double area = 0;                    ///< logical pixels of the last resize
   FirstFrames first;                  ///< what was drawn in this context
   FrameBudget budget;                 ///< what frames have taken so far

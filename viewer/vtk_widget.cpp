@@ -19,6 +19,7 @@
 #include <QWindow>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "viewer/redraw_queue.h"
@@ -94,10 +95,12 @@ VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent), scene_(std::make_unique
 }
 
 VtkWidget::~VtkWidget() {
-  makeCurrent();
-  scene_->window->Finalize();
-  scene_->window->SetReadyForRendering(false);
-  doneCurrent();
+  if (scene_->started) {
+    makeCurrent();
+    scene_->window->Finalize();
+    scene_->window->SetReadyForRendering(false);
+    doneCurrent();
+  }
 }
 
 void VtkWidget::makeCurrent() { scene_->graphics.makeCurrent(); }
@@ -139,7 +142,6 @@ void VtkWidget::prepareSurfaceFormat() {
   format.setProfile(QSurfaceFormat::CoreProfile);
   format.setDepthBufferSize(24);
   format.setStencilBufferSize(8);
-  format.setAlphaBufferSize(8);
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
 }
@@ -279,8 +281,10 @@ QSize VtkWidget::pixels() const {
 
 void VtkWidget::draw() {
   Scene& s = *scene_;
-  makeCurrent();
   s.due = false;
+  if (!s.graphics.makeCurrent()) {
+    return;
+  }
   const QSize pixels = this->pixels();
   s.interactor->UpdateSize(pixels.width(), pixels.height());
   const FrameQuality quality = s.asked.value_or(s.moving ? FrameQuality::Moving : FrameQuality::Resting);
@@ -300,6 +304,7 @@ void VtkWidget::draw() {
   s.first.release();
   s.image = readBack(drawn);  // waits for a software renderer, which works behind our back: what a frame costs is known only now
   const double ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+  s.image.setDevicePixelRatio(devicePixelRatioF() * scale);
   s.window->SetSize(pixels.width(), pixels.height());  // the interactor measures the mouse against it
   doneCurrent();
   if (s.budget.remember(s.frame, ms)) {
@@ -324,8 +329,13 @@ QImage VtkWidget::readBack(const QSize& pixels) const {
   gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
   gl->glReadPixels(0, 0, pixels.width(), pixels.height(), GL_BGRA, GL_UNSIGNED_BYTE, image.bits());
   state->PopReadFramebufferBinding();
+  // Qt copies the pixels as they are: what VTK left in their alpha would let the desktop shine through the window.
+  for (int y = 0; y < image.height(); ++y) {
+    for (QRgb& pixel : std::span(reinterpret_cast<QRgb*>(image.scanLine(y)), static_cast<std::size_t>(image.width()))) {
+      pixel |= 0xff000000U;
+    }
+  }
   image.mirror();  // OpenGL's rows begin at the bottom
-  image.setDevicePixelRatio(devicePixelRatioF());
   return image;
 }
 
@@ -339,25 +349,25 @@ void VtkWidget::paintEvent(QPaintEvent* /*event*/) {
     }
   }
   QPainter painter(this);
-  const bool hasty = s.frame.scale < 1;
-  if (hasty && !s.image.isNull()) {
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  if (!s.image.isNull() && s.image.size() == pixels()) {
     painter.drawImage(rect(), s.image);
     return;
   }
-  // A frame of another size is not stretched: the middle stays in the middle.
-  if (s.image.size() != pixels()) {
-    const double* colour = s.renderer->GetBackground();
-    painter.fillRect(rect(),
-                     QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2])));
-  }
+  const double* colour = s.renderer->GetBackground();
+  painter.fillRect(rect(),
+                   QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2])));
   if (!s.image.isNull()) {
-    const QSizeF size = s.image.deviceIndependentSize();
-    painter.drawImage(QPointF(0.5 * (width() - size.width()), 0.5 * (height() - size.height())), s.image);
+    // One drawn in haste has fewer pixels. One of a view of another size is not stretched: the middle stays in the middle.
+    constexpr double kRounding = 2;
+    QRectF place(QPointF(), s.image.deviceIndependentSize());
+    place.moveCenter(QRectF(rect()).center());
+    const bool fits = std::abs(place.width() - width()) < kRounding && std::abs(place.height() - height()) < kRounding;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(fits ? QRectF(rect()) : place, s.image);
   } else if (s.graphics.failed()) {
     painter.setPen(Qt::lightGray);
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("No 3D picture: OpenGL 3.2 does not work on this computer."));
-  } else {
+  } else if (isSeen()) {
     RedrawQueue::instance().add(this);
   }
 }
@@ -398,6 +408,10 @@ bool VtkWidget::event(QEvent* event) {
       }
       break;
     }
+    case QEvent::ScreenChangeInternal:  // perhaps to one of another pixel ratio, which no resize tells of
+      scene_->interactor->UpdateSize(pixels().width(), pixels().height());
+      requestRender();
+      break;
     default:
       break;
   }

@@ -27,7 +27,8 @@ class VtkWidget : public QWidget {
   /// Draws now what the next update of the window shows, and asks for that: both take a turn of the event loop each. For
   /// RedrawQueue.
   void drawInThisTurn();
-  /// Draws what has changed, as the screen would show it now. A null image where OpenGL is not available.
+  /// Draws the view as the screen would show it now; in haste it may have half the pixels. A null image where OpenGL is not
+  /// available.
   [[nodiscard]] QImage nextFrame();
   /// What is seen, after all pending changes, with depth peeling. A null image where OpenGL is not available.
   [[nodiscard]] QImage picture();
@@ -38,6 +39,7 @@ class VtkWidget : public QWidget {
   static constexpr int kReportTiles = 2;
 
  signals:
+  /// A frame is there, and is painted with the next update of the window.
   void frameDrawn();
 
  protected:

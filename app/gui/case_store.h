@@ -1,7 +1,7 @@
 #pragma once
 // Purpose: keeps the open case on disk without making the window wait: one thread owns the CaseFile; edits reach it in order, each
-// a committed transaction of its own, within milliseconds. Models that wait behind a newer one are skipped, edits never are. Called
-// on the UI thread; signals are emitted there.
+// a committed transaction of its own, within milliseconds where the window and its views leave a processor free. Models that wait
+// behind a newer one are skipped, edits never are. Called on the UI thread; signals are emitted there.
 
 #include <QObject>
 #include <QString>

@@ -10,6 +10,8 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QWindow>
+#include <algorithm>
 #include <ctime>
 
 #include "planning/resection/place_plane.h"
@@ -141,6 +143,35 @@ TEST_F(ModelViewTest, ATumourInsideTheTranslucentLiverIsSeenAndInsideAnOpaqueOne
       EXPECT_LT(centre.green(), centre.red()) << opacity;
     }
   }
+}
+
+TEST_F(ModelViewTest, AnOpenSurfaceIsSeenFromItsInsideAndAClosedOneFromOutsideAlone) {
+  SurfaceMesh bowl = test::sphere({0, 0, 0}, {60, 60, 60});
+  std::erase_if(bowl.triangles, [&](const Triangle& t) { return bowl.vertices[t[0]].y() < 0; });  // open to the front
+  for (const bool open : {true, false}) {
+    auto model = std::make_shared<LiverModel>();
+    Structure structure = test::structure("artery", StructureKind::Artery, {0, 0, 255}, 1.0, bowl);
+    auto made = std::make_shared<Reconstruction>(*structure.reconstruction);
+    made->defects = open ? bowl.defects() : MeshDefects();
+    ASSERT_EQ(made->defects.openEdges > 0, open);
+    structure.reconstruction = made;
+    model->structures.push_back(structure);
+    view.setModel(model);
+    EXPECT_EQ(isBlue(shown(open ? "bowl" : "bowl_called_closed").pixelColor(320, 240)), open);
+  }
+}
+
+TEST_F(ModelViewTest, NoPixelLetsTheDesktopShineThrough) {
+  for (const QImage& image : {view.picture(), view.nextFrame()}) {
+    ASSERT_EQ(image.format(), QImage::Format_RGB32);
+    int clear = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+      clear += static_cast<int>(std::count_if(row, row + image.width(), [](QRgb pixel) { return qAlpha(pixel) != 255; }));
+    }
+    EXPECT_EQ(clear, 0);
+  }
+  EXPECT_LE(view.window()->windowHandle()->format().alphaBufferSize(), 0);
 }
 
 TEST_F(ModelViewTest, AHiddenStructureIsNotDrawn) {
