@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reconstruction/cancel_poll.h"
 #include "reconstruction/image/liver_voxels.h"
 #include "reconstruction/mesh/centreline.h"
 #include "reconstruction/mesh/inside_rows.h"
@@ -55,14 +56,16 @@ struct Walls {
 
 Walls wallsOf(const SurfaceMesh& mesh, const ExecutionContext& context) {
   UnionFind sets(mesh.vertices.size());
+  CancelPoll poll(context);
   for (const Triangle& t : mesh.triangles) {
+    poll();
     sets.unite(t[0], t[1]);
     sets.unite(t[0], t[2]);
   }
-  context.throwIfCancelled();
   std::vector<double> volume(mesh.vertices.size(), 0.0);
   const Vec3 centre = mesh.vertices.front();
   for (const Triangle& t : mesh.triangles) {
+    poll();
     const auto at = [&](std::size_t n) -> Vec3 { return mesh.vertices[t[n]] - centre; };
     volume[sets.find(t[0])] += at(0).dot(at(1).cross(at(2)));
   }
@@ -269,7 +272,7 @@ void checkAgainstMask(const Mask& mask, const ImageGeometry& geometry, Structure
     componentOfTriangles(made.mesh, count);
     made.meshComponents = count;
   } else {
-    made.meshVolumeMl = signedVolumeMm3(made.mesh) * kMlPerMm3;
+    made.meshVolumeMl = signedVolumeMm3(made.mesh, context) * kMlPerMm3;
     made.meshComponents = found.walls.outer;
     context.throwIfCancelled();
     checkPieces(*facts, *found.rows, made);

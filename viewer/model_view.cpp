@@ -198,7 +198,6 @@ void ModelView::setPose(const Pose& pose) {
     return;
   }
   d.scene.setPose(pose);
-  d.told = this->pose();
   d.scene.touch();
   requestRender();
 }

@@ -77,7 +77,7 @@ class ModelView : public VtkWidget {
   /// Unit vectors, mm LPS: where the camera looks and its up. For planeFromCamera().
   [[nodiscard]] Vec3 viewDirection() const;
   [[nodiscard]] Vec3 viewUp() const;
-  /// To be shared with another view of the same model; emits no signal.
+  /// To be shared with another view of the same model; setPose() emits no signal.
   [[nodiscard]] Pose pose() const;
   void setPose(const Pose& pose);
   /// The camera as numbers: world mm LPS <-> logical pixels of this widget.
@@ -98,8 +98,6 @@ class ModelView : public VtkWidget {
   void planeDragFinished(const glisson::ResectionPlane& plane);
   /// One of the control points, 0..15, was grasped.
   void controlPointChosen(int point);
-  /// By the user or by a standard view, once a frame.
-  void cameraMoved();
   void picked(const glisson::Pick& pick);
   void pickCancelled();
   void mapShownChanged(bool shown);

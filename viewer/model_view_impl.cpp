@@ -177,11 +177,6 @@ void ModelView::Impl::prepareFrame(FrameQuality quality) {
   } else {
     planeActors.placeControlPoints(nullptr, {}, 1);
   }
-  if (const Pose now = view->pose(); now != told) {
-    told = now;
-    // not from within a frame: other views answer with frames of their own
-    QMetaObject::invokeMethod(view, "cameraMoved", Qt::QueuedConnection);
-  }
   scene.fitClippingRange();
 }
 

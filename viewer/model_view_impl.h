@@ -59,7 +59,6 @@ struct ModelView::Impl {
   std::optional<std::size_t> keyedPoint;  ///< the last one chosen or dragged: the one that keys move
   std::optional<PlaneHandle> hovered;
   std::optional<PickTool> pick;
-  Pose told;  ///< what cameraMoved() was last about
   std::shared_ptr<const TumourDistance> tumours;
   Resectogram* resectogram = nullptr;  ///< a child of the view
   PickOverlay* pickOverlay = nullptr;  ///< a child of the view

@@ -43,7 +43,6 @@ struct SurfaceView::Impl {
   std::array<vtkNew<vtkPlane>, 2> clips;  ///< each keeps its side of the line
   SwipeDivider* divider = nullptr;        ///< a child of the view
   bool wireframe = false;
-  Pose told;  ///< what cameraMoved() was last about
   Vec3 placedDirection = Vec3::UnitY();
   Vec3 placedUp = Vec3::UnitZ();
 
@@ -102,11 +101,6 @@ void SurfaceView::Impl::prepareFrame(FrameQuality quality) {
   scene.use(frame);
   if (view->swipes()) {
     placeClips();
-  }
-  if (const Pose now = view->pose(); now != told) {
-    told = now;
-    // not from within a frame: other views answer with frames of their own
-    QMetaObject::invokeMethod(view, "cameraMoved", Qt::QueuedConnection);
   }
   scene.fitClippingRange();
 }
@@ -201,7 +195,6 @@ void SurfaceView::follow(const SurfaceView& other) {
   d.scene.cameraByHand = other.impl_->scene.cameraByHand;
   d.placedDirection = other.impl_->placedDirection;
   d.placedUp = other.impl_->placedUp;
-  d.told = pose();
   d.scene.touch();
   requestRender();
 }

@@ -40,10 +40,6 @@ class SurfaceView : public VtkWidget {
   /// From now on both views have one camera.
   static void link(SurfaceView& one, SurfaceView& other);
 
- signals:
-  /// Once a frame.
-  void cameraMoved();
-
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;

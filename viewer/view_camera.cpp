@@ -10,6 +10,11 @@ namespace {
 constexpr double kNearestMm = 1e-3;
 }
 
+bool Pose::operator==(const Pose& other) const {
+  constexpr double kTold = 1e-9;  // mm, and of the length of `up`
+  return (position - other.position).norm() <= kTold && (focus - other.focus).norm() <= kTold && (up - other.up).norm() <= kTold;
+}
+
 Vec3 ViewCamera::right() const { return forward.cross(up).normalized(); }
 
 Pixel ViewCamera::toPixel(const Vec3& world) const {

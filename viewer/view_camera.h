@@ -14,12 +14,13 @@ struct Ray {
   Vec3 direction = Vec3::UnitZ();  ///< unit
 };
 
-/// Where the camera stands.
+/// Where the camera stands. Poses are equal where no picture could tell them apart: VTK normalises `up` whenever it is set, which
+/// changes the last bit of every third one.
 struct Pose {
   Vec3 position = Vec3::Zero();
   Vec3 focus = Vec3::Zero();
   Vec3 up = Vec3::UnitZ();
-  bool operator==(const Pose&) const = default;
+  bool operator==(const Pose& other) const;
 };
 
 struct ViewCamera {

@@ -61,6 +61,7 @@ void VtkWidget::Scene::setPose(const Pose& pose) {
   vtk->SetFocalPoint(pose.focus.data());
   vtk->SetViewUp(pose.up.data());
   cameraByHand = true;
+  told = pose;
 }
 
 ViewCamera VtkWidget::Scene::camera(int width, int height) const {

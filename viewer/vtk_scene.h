@@ -49,6 +49,7 @@ struct VtkWidget::Scene {
   QTimer rest;                        ///< single shot: the end of a movement
   bool moving = false;                ///< something moved within the last kRestMs
   bool cameraByHand = false;          ///< the user moved the camera since it was last placed
+  Pose told;                          ///< what cameraMoved() was last about
   std::optional<FrameQuality> asked;  ///< of the frame that is drawn for picture() or reportPicture()
   std::optional<Tile> tile;           ///< of the report's picture that is being drawn
   QImage tiles;                       ///< those drawn so far
@@ -68,7 +69,7 @@ struct VtkWidget::Scene {
   /// Hides what would make this frame a long one, until first.release(). A picture shows everything.
   void holdNewProps();
   [[nodiscard]] Pose pose() const;
-  /// As if the user had moved the camera there.
+  /// As if the user had moved the camera there, but cameraMoved() does not tell of it.
   void setPose(const Pose& pose);
   /// For a view of this size, logical pixels.
   [[nodiscard]] ViewCamera camera(int width, int height) const;

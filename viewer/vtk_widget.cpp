@@ -147,6 +147,10 @@ void VtkWidget::prepareSurfaceFormat() {
 }
 
 void VtkWidget::requestRender() {
+  if (const Pose now = scene_->pose(); now != scene_->told) {
+    scene_->told = now;
+    emit cameraMoved();
+  }
   if (QGuiApplication::mouseButtons() != Qt::NoButton) {
     drawSoon();
   } else {

@@ -39,6 +39,8 @@ class VtkWidget : public QWidget {
   static constexpr int kReportTiles = 2;
 
  signals:
+  /// The camera stands elsewhere. Told at once, before the frame: of views that follow each other the one moved last is followed.
+  void cameraMoved();
   /// A frame is there, and is painted with the next update of the window.
   void frameDrawn();
 

@@ -4,11 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
-namespace glisson {
+#include "reconstruction/cancel_poll.h"
 
-namespace {
-constexpr std::size_t kPoll = 65536;  // a few milliseconds
-}
+namespace glisson {
 
 MeshEdges::MeshEdges(std::size_t vertexCount, std::span<const Triangle> triangles, const ExecutionContext& context)
     : first_(vertexCount + 1, 0) {
@@ -16,7 +14,9 @@ MeshEdges::MeshEdges(std::size_t vertexCount, std::span<const Triangle> triangle
     throw std::length_error("MeshEdges: too many triangles");
   }
   const auto isSide = [&](std::uint32_t a, std::uint32_t b) { return a != b && a < vertexCount && b < vertexCount; };
+  CancelPoll poll(context);
   for (const Triangle& t : triangles) {
+    poll();
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k];
       const std::uint32_t b = t[k == 2 ? 0 : k + 1];
@@ -32,9 +32,7 @@ MeshEdges::MeshEdges(std::size_t vertexCount, std::span<const Triangle> triangle
   sides_.resize(sum);
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t n = 0; n < triangles.size(); ++n) {
-    if (n % kPoll == 0) {
-      context.throwIfCancelled();
-    }
+    poll();
     const Triangle& t = triangles[n];
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k];
@@ -48,21 +46,17 @@ MeshEdges::MeshEdges(std::size_t vertexCount, std::span<const Triangle> triangle
     return x.upper != y.upper ? x.upper < y.upper : x.cornerAndSense < y.cornerAndSense;
   };
   for (std::size_t v = 0; v < vertexCount; ++v) {
-    if (v % kPoll == 0) {
-      context.throwIfCancelled();
-    }
+    poll();
     std::sort(sides_.begin() + first_[v], sides_.begin() + first_[v + 1], before);
   }
 }
 
 UnionFind cornerFans(std::span<const Triangle> triangles, const MeshEdges& edges, const ExecutionContext& context) {
   UnionFind fans(3 * triangles.size());
-  std::size_t seen = 0;
+  CancelPoll poll(context);
   const auto following = [](std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
   edges.forEachEdge([&](std::span<const MeshEdges::Side> sides) {
-    if (seen++ % kPoll == 0) {
-      context.throwIfCancelled();
-    }
+    poll();
     for (std::size_t n = 1; n < sides.size(); ++n) {
       const std::uint32_t a = sides[0].corner();
       const std::uint32_t b = sides[n].corner();
@@ -77,10 +71,11 @@ UnionFind cornerFans(std::span<const Triangle> triangles, const MeshEdges& edges
 std::size_t countVerticesOfSeveralFans(std::size_t vertexCount, std::span<const Triangle> triangles, const MeshEdges& edges,
                                        const ExecutionContext& context) {
   const UnionFind fans = cornerFans(triangles, edges, context);
-  context.throwIfCancelled();
+  CancelPoll poll(context);
   std::vector<std::uint8_t> seen(vertexCount, 0);
   std::size_t several = 0;
   for (std::uint32_t corner = 0; corner < fans.size(); ++corner) {
+    poll();
     if (fans.isRoot(corner)) {
       auto& n = seen[triangles[corner / 3][corner % 3]];
       several += n == 1 ? 1 : 0;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "reconstruction/cancel_poll.h"
+
 namespace glisson {
 
 namespace {
@@ -17,16 +19,15 @@ InsideRows::InsideRows(const SurfaceMesh& mesh, const ImageGeometry& geometry, c
     : rowsJ_(geometry.size[1]), rowsK_(geometry.size[2]) {
   const Mat3 toIndex = geometry.spacing.cwiseInverse().asDiagonal() * geometry.direction.transpose();
   std::vector<Vec3> vertices(mesh.vertices.size());
+  CancelPoll poll(context);
   for (std::size_t n = 0; n < vertices.size(); ++n) {
+    poll();
     vertices[n] = toIndex * (mesh.vertices[n] - geometry.origin) - Vec3(kBesideI, kBesideJ, kBesideK);
   }
   const int sense = geometry.leftHanded() ? -1 : 1;
-  constexpr std::size_t kPoll = 65536;
   std::vector<Crossing> crossings;
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
-    if (n % kPoll == 0) {
-      context.throwIfCancelled();
-    }
+    poll();
     const Triangle& t = mesh.triangles[n];
     addTriangle({vertices[t[0]], vertices[t[1]], vertices[t[2]]}, t, crossings);
   }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reconstruction/cancel_poll.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/image/liver_voxels.h"
 #include "reconstruction/mesh/edges.h"
@@ -32,8 +33,10 @@ bool hasValidCorners(const SurfaceMesh& mesh, const Triangle& t) {
   return t[0] < n && t[1] < n && t[2] < n && t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
 }
 
-void countEdges(const MeshEdges& edges, MeshDefects& defects) {
+void countEdges(const MeshEdges& edges, MeshDefects& defects, const ExecutionContext& context) {
+  CancelPoll poll(context);
   edges.forEachEdge([&](std::span<const MeshEdges::Side> sides) {
+    poll();
     const auto along =
         static_cast<std::size_t>(std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.along(); }));
     const std::size_t against = sides.size() - along;
@@ -49,11 +52,11 @@ void countEdges(const MeshEdges& edges, MeshDefects& defects) {
 }
 
 /// Vec3 about which sums are formed, so that a far origin costs no digits.
-Vec3 centreOf(const SurfaceMesh& mesh) {
+Vec3 centreOf(const SurfaceMesh& mesh, const ExecutionContext& context) {
   if (mesh.vertices.empty()) {
     return Vec3::Zero();
   }
-  const Bounds bounds = boundsOf(mesh);
+  const Bounds bounds = boundsOf(mesh, context);
   return 0.5 * (bounds.low + bounds.high);
 }
 
@@ -104,7 +107,9 @@ MeshDefects SurfaceMesh::defects(const ExecutionContext& context) const {
   }
   // Triangles without three corners of their own have no edges to speak of: the hole they leave is counted as open.
   std::vector<Triangle> sound;
+  CancelPoll poll(context);
   for (std::size_t n = 0; n < triangles.size(); ++n) {
+    poll();
     if (!hasValidCorners(*this, triangles[n])) {
       if (defects.degenerateTriangles++ == 0) {
         sound.assign(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(n));
@@ -117,22 +122,25 @@ MeshDefects SurfaceMesh::defects(const ExecutionContext& context) const {
   }
   const std::vector<Triangle>& checked = defects.degenerateTriangles > 0 ? sound : triangles;
   for (const Triangle& t : checked) {
+    poll();
     defects.degenerateTriangles += isDegenerate(*this, t) ? 1 : 0;
   }
   const MeshEdges edges(vertices.size(), checked, context);
-  countEdges(edges, defects);
+  countEdges(edges, defects, context);
   defects.nonManifoldVertices = countVerticesOfSeveralFans(vertices.size(), checked, edges, context);
-  defects.inward = defects.openEdges == 0 && defects.orientationEdges == 0 && signedVolumeMm3(*this) < 0;
+  defects.inward = defects.openEdges == 0 && defects.orientationEdges == 0 && signedVolumeMm3(*this, context) < 0;
   return defects;
 }
 
-Bounds boundsOf(const SurfaceMesh& mesh) {
+Bounds boundsOf(const SurfaceMesh& mesh, const ExecutionContext& context) {
   if (mesh.triangles.empty()) {
     throw std::invalid_argument("boundsOf: the mesh is empty");
   }
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Bounds bounds{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
+  CancelPoll poll(context);
   for (const Triangle& t : mesh.triangles) {
+    poll();
     for (const std::uint32_t corner : t) {
       if (corner < mesh.vertices.size()) {
         bounds.low = bounds.low.cwiseMin(mesh.vertices[corner]);
@@ -143,13 +151,15 @@ Bounds boundsOf(const SurfaceMesh& mesh) {
   return bounds;
 }
 
-double signedVolumeMm3(const SurfaceMesh& mesh) {
+double signedVolumeMm3(const SurfaceMesh& mesh, const ExecutionContext& context) {
   if (mesh.triangles.empty()) {
     return 0.0;
   }
-  const Vec3 centre = centreOf(mesh);
+  const Vec3 centre = centreOf(mesh, context);
   double six = 0.0;
+  CancelPoll poll(context);
   for (const Triangle& t : mesh.triangles) {
+    poll();
     if (hasValidCorners(mesh, t)) {
       six += (mesh.vertices[t[0]] - centre).dot((mesh.vertices[t[1]] - centre).cross(mesh.vertices[t[2]] - centre));
     }
@@ -162,7 +172,7 @@ double volumeMl(const SurfaceMesh& mesh) {
     throw ReconstructionError("The mesh has no triangles and encloses no volume; reconstruct it again.");
   }
   MeshDefects open;
-  countEdges(MeshEdges(mesh.vertices.size(), mesh.triangles), open);
+  countEdges(MeshEdges(mesh.vertices.size(), mesh.triangles), open, {});
   if (open.openEdges > 0 || open.orientationEdges > 0) {
     const std::string what = open.names().front();
     throw ReconstructionError("The mesh encloses no volume (" + what + "); reconstruct it again or close it first.");
@@ -185,7 +195,7 @@ Vec3 centroidOf(const SurfaceMesh& mesh) {
   if (mesh.triangles.empty()) {
     throw std::invalid_argument("centroidOf: the mesh is empty");
   }
-  const Vec3 centre = centreOf(mesh);
+  const Vec3 centre = centreOf(mesh, {});
   double six = 0.0;
   Vec3 moment = Vec3::Zero();
   for (const Triangle& t : mesh.triangles) {

@@ -46,11 +46,11 @@ struct Bounds {
   Vec3 high = Vec3::Zero();
 };
 
-/// Bounds of the vertices that triangles use. Throws std::invalid_argument on an empty mesh.
-Bounds boundsOf(const SurfaceMesh& mesh);
+/// Bounds of the vertices that triangles use. Throws std::invalid_argument on an empty mesh. Polls cancel.
+Bounds boundsOf(const SurfaceMesh& mesh, const ExecutionContext& context = {});
 /// Signed volume by the divergence theorem, mm^3, summed about the mesh's own centre. Meaningless on an open mesh: see
-/// volumeMl(mesh).
-double signedVolumeMm3(const SurfaceMesh& mesh);
+/// volumeMl(mesh). Polls cancel.
+double signedVolumeMm3(const SurfaceMesh& mesh, const ExecutionContext& context = {});
 /// Volume of a closed mesh in mL. Throws ReconstructionError where the mesh is open: that is an error, not a number.
 double volumeMl(const SurfaceMesh& mesh);
 double areaMm2(const SurfaceMesh& mesh);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "reconstruction/cancel_poll.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/mesh/edges.h"
 #include "tests/reconstruction/mesh/solids.h"
@@ -181,6 +182,28 @@ TEST(SurfaceMesh, VerticesNoTriangleUsesChangeNothing) {
   dropUnusedVertices(mesh);
   EXPECT_EQ(mesh.vertices.size(), 4U);
   EXPECT_NEAR(signedVolumeMm3(mesh), 1.0 / 6.0, 1e-15);
+}
+
+TEST(SurfaceMesh, ItsMeasuresEndWhenTheyAreCancelled) {
+  const SurfaceMesh mesh = sphere(Vec3::Zero(), 10, 3);
+  const ExecutionContext context;
+  context.cancel();
+  EXPECT_THROW((void)mesh.defects(context), Cancelled);
+  EXPECT_THROW(boundsOf(mesh, context), Cancelled);
+  EXPECT_THROW(signedVolumeMm3(mesh, context), Cancelled);
+}
+
+TEST(CancelPoll, LooksAgainWhileTheLoopRuns) {
+  const ExecutionContext context;
+  CancelPoll poll(context);
+  poll();
+  context.cancel();
+  const auto loop = [&] {
+    for (int n = 0; n < 100000; ++n) {
+      poll();
+    }
+  };
+  EXPECT_THROW(loop(), Cancelled);
 }
 
 }  // namespace
