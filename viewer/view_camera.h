@@ -15,7 +15,7 @@ struct Ray {
 };
 
 /// Where the camera stands. Poses are equal where no picture could tell them apart: VTK normalises `up` whenever it is set, which
-/// changes the last bit of every third one.
+/// may change its last bit.
 struct Pose {
   Vec3 position = Vec3::Zero();
   Vec3 focus = Vec3::Zero();

@@ -13,6 +13,7 @@
 #include <QWindow>
 #include <algorithm>
 #include <ctime>
+#include <random>
 
 #include "planning/resection/place_plane.h"
 #include "tests/viewer/bodies.h"
@@ -489,6 +490,21 @@ TEST(ModelViewPictureTest, AViewThatWasNeverShownGivesItsPictureToo) {
   EXPECT_EQ(image.size(), QSize(640, 480));
   EXPECT_GT(spotOf(image, isGreen).pixels, 100);
   EXPECT_FALSE(view.isVisible());
+}
+
+TEST_F(ModelViewTest, APoseThatWasSetIsThePoseAndToldToNobody) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> number;
+  const auto vector = [&] { return Vec3(number(random), number(random), number(random)); };
+  const QSignalSpy moved(&view, &ModelView::cameraMoved);
+  for (int n = 0; n < 100; ++n) {
+    const Pose pose{.position = 300 * vector(), .focus = 30 * vector(), .up = vector().normalized()};
+    view.setPose(pose);
+    EXPECT_EQ(view.pose(), pose) << n;
+  }
+  EXPECT_EQ(moved.count(), 0);
+  view.setStandardView(ModelView::StandardView::Left);
+  EXPECT_EQ(moved.count(), 1);
 }
 
 TEST_F(ModelViewTest, AMovedWindowStillDraws) {

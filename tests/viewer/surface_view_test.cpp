@@ -172,7 +172,7 @@ TEST_F(SurfaceViewTest, LinkedViewsStayTogetherInEveryDragAndTheLastOneMovedIsFo
     mouse(QEvent::MouseMove, to, Qt::NoButton);
     mouse(QEvent::MouseButtonRelease, to, Qt::LeftButton);
   };
-  for (int n = 0; n < 20; ++n) {  // to set a pose again changes the last bit of every third one
+  for (int n = 0; n < 20; ++n) {
     SurfaceView& moved = n % 2 == 0 ? view : other;
     const Pose before = moved.pose();
     drag(moved, {150, 120}, {150 + 7 * (n + 1), 120 + 3 * n});
