@@ -132,8 +132,8 @@ void CompareWindow::retranslateUi() {
 }
 
 bool CompareWindow::chosenExist() const {
-  const std::size_t plans = document_.isOpen() ? document_.content().plans.size() : 0;
-  return std::ranges::all_of(chosen_, [&](std::size_t plan) { return plan < plans; });
+  return document_.isOpen() &&
+         std::ranges::all_of(chosen_, [&](std::size_t plan) { return plan < document_.content().plans.size(); });
 }
 
 void CompareWindow::refresh() {

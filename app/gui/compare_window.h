@@ -17,7 +17,7 @@ class QTreeWidget;
 
 namespace glisson {
 
-class CompareWindow : public Translated<QWidget> {
+class CompareWindow final : public Translated<QWidget> {
   Q_OBJECT
  public:
   /// A window of its own. `ready`: surfaces that need not be made again.

@@ -1,5 +1,7 @@
 // The part of the document that edits plans.
 
+#include <utility>
+
 #include "app/gui/document.h"
 #include "app/gui/edit_commands.h"
 #include "planning/resection/plan_list.h"
@@ -175,8 +177,7 @@ void Document::endDrag(const ResectionPlane& plane) {
   if (!beforeDrag_) {
     return;
   }
-  case_.plans = std::move(*beforeDrag_);
-  beforeDrag_.reset();
+  case_.plans = *std::exchange(beforeDrag_, std::nullopt);
   const std::optional<ResectionPlane> from = this->plane();
   if (from && *from == plane) {
     emit planChanged();  // a click on a handle moves nothing and is no step
@@ -197,8 +198,8 @@ void Document::endDrag(const ResectionPlane& plane) {
 
 void Document::cancelDrag() {
   if (beforeDrag_) {
-    case_.plans = std::move(*beforeDrag_);
-    forgetDrag();
+    case_.plans = *std::exchange(beforeDrag_, std::nullopt);
+    emit dragCancelled();
     emit planChanged();
     assessInFrame();
     assessAll();
