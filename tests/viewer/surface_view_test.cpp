@@ -134,14 +134,21 @@ TEST_F(SurfaceViewTest, WiresLeaveTheGroundVisible) {
   EXPECT_LT(wires, 0.7 * solid);
 }
 
-TEST_F(SurfaceViewTest, LinkedViewsHaveOneCamera) {
+class LinkedViewsTest : public SurfaceViewTest {
+ protected:
   SurfaceView other;
-  other.resize(400, 300);
-  other.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
-  SurfaceView::link(view, other);
-  view.setSurfaces(uniform(1.0));
-  other.setSurfaces(uniform(0.5));
+  void SetUp() override {
+    SurfaceViewTest::SetUp();
+    other.resize(400, 300);
+    other.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
+    SurfaceView::link(view, other);
+    view.setSurfaces(uniform(1.0));
+    other.setSurfaces(uniform(0.5));
+  }
+};
+
+TEST_F(LinkedViewsTest, HaveOneCamera) {
   EXPECT_EQ(view.pose(), other.pose());
   QTest::keyClick(&view, Qt::Key_7);  // before either has drawn a frame
   EXPECT_NEAR(view.camera().forward.z(), -1, 1e-9) << "seen from above";
@@ -154,28 +161,14 @@ TEST_F(SurfaceViewTest, LinkedViewsHaveOneCamera) {
   EXPECT_EQ(view.pose(), other.pose());
 }
 
-TEST_F(SurfaceViewTest, LinkedViewsStayTogetherInEveryDragAndTheLastOneMovedIsFollowed) {
-  SurfaceView other;
-  other.resize(400, 300);
-  other.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
-  SurfaceView::link(view, other);
-  view.setSurfaces(uniform(1.0));
-  other.setSurfaces(uniform(0.5));
-  const auto drag = [](SurfaceView& moved, const QPoint& from, const QPoint& to) {
-    const auto mouse = [&](QEvent::Type type, const QPointF& at, Qt::MouseButton button) {
-      QMouseEvent event(type, at, moved.mapToGlobal(at), button, type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
-                        Qt::NoModifier);
-      QApplication::sendEvent(&moved, &event);
-    };
-    mouse(QEvent::MouseButtonPress, from, Qt::LeftButton);
-    mouse(QEvent::MouseMove, to, Qt::NoButton);
-    mouse(QEvent::MouseButtonRelease, to, Qt::LeftButton);
-  };
+TEST_F(LinkedViewsTest, StayTogetherInEveryDragAndTheLastOneMovedIsFollowed) {
   for (int n = 0; n < 20; ++n) {
     SurfaceView& moved = n % 2 == 0 ? view : other;
     const Pose before = moved.pose();
-    drag(moved, {150, 120}, {150 + 7 * (n + 1), 120 + 3 * n});
+    const QPoint to(150 + 7 * (n + 1), 120 + 3 * n);
+    QTest::mousePress(&moved, Qt::LeftButton, {}, {150, 120});
+    QTest::mouseMove(&moved, to);
+    QTest::mouseRelease(&moved, Qt::LeftButton, {}, to);
     EXPECT_NE(moved.pose(), before) << n;
     EXPECT_EQ(view.pose(), other.pose()) << n;
   }
