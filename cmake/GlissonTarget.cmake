@@ -35,6 +35,9 @@ function(glisson_target name)
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
                                          -Woverloaded-virtual -ffp-contract=off)
+  if(CMAKE_UNITY_BUILD)
+    target_compile_options(${name} PRIVATE -Wno-subobject-linkage)  # a class in a .cpp may hold what only its file knows
+  endif()
   if(GLISSON_WERROR)
     target_compile_options(${name} PRIVATE -Werror)
   endif()

@@ -2,17 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <QKeyEvent>
-#include <numbers>
 
 #include "viewer/model_view_impl.h"
 
 namespace glisson {
 
-namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-}  // namespace
+namespace {}  // namespace
 
 void ModelView::stepPlane(const ResectionPlane& to) {
   emit planeDragStarted();

@@ -18,13 +18,12 @@
 
 #include <Eigen/Geometry>
 
+#include "viewer/colour.h"
+
 namespace glisson {
 
 namespace {
 
-struct Colour {
-  double r, g, b;
-};
 constexpr Colour kHandle{0.95, 0.75, 0.25};
 constexpr Colour kHighlight{1.0, 1.0, 0.85};
 constexpr Colour kTooShort{1.0, 0.1, 0.1};

@@ -25,13 +25,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "viewer/colour.h"
+
 namespace glisson {
 
 namespace {
 
-struct Colour {
-  double r, g, b;
-};
 constexpr Colour kFill{0.86, 0.89, 0.93};
 constexpr Colour kGrid{0.25, 0.28, 0.33};
 constexpr Colour kOutline{1.0, 1.0, 1.0};

@@ -2,12 +2,15 @@
 // Purpose: the 3D view's camera as plain numbers: world mm LPS <-> logical pixels of the widget (y down). Perspective.
 
 #include <Eigen/Core>
+#include <numbers>
 
 #include "reconstruction/image/image_geometry.h"
 
 namespace glisson {
 
 using Pixel = Eigen::Vector2d;
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< in radians
 
 struct Ray {
   Vec3 origin = Vec3::Zero();

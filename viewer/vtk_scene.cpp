@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace glisson {
 
@@ -13,7 +12,6 @@ namespace {
 
 constexpr int kPicturePeels = 32;
 constexpr double kFilled = 0.86;  ///< share of the view the model fills
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Vec3 toVec3(const double* values) { return {values[0], values[1], values[2]}; }
 

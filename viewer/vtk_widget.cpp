@@ -18,7 +18,6 @@
 #include <QSurfaceFormat>
 #include <QWindow>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -57,7 +56,6 @@ class VtkWidget::WholeView {
   WholeView& operator=(const WholeView&) = delete;
 
  private:
-  static constexpr double kDegree = std::numbers::pi / 180.0;
   void look(double angle, double x, double y) {
     vtkCamera* camera = scene_.renderer->GetActiveCamera();  // the overlay's too
     camera->SetViewAngle(angle);

@@ -1,7 +1,6 @@
 #include "app/cli/cohort_outcome.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 
@@ -10,6 +9,7 @@
 #include "planning/exchange/atomic_file.h"
 #include "planning/exchange/version.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 
 namespace glisson::cli {
 
@@ -138,7 +138,7 @@ std::optional<PatientOutcome> loadOutcome(const std::filesystem::path& folder, c
       outcome.figures = figuresOf(json.at("figures"));
     }
     return outcome;
-  } catch (const nlohmann::json::exception&) {
+  } catch (const Json::exception&) {
     return std::nullopt;  // cut off, or not ours: the patient is to be evaluated anew
   } catch (const InputError&) {
     return std::nullopt;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kPublishedScale = 1.25;  // of the authors' base code
 constexpr int kPublishedTimings = 3;
 
-struct Flags {
+struct EvaluateFlags {
   std::string segmentation;
   std::string output;
   std::string cohort;
@@ -31,7 +31,7 @@ struct Flags {
   InputFlags input;
 };
 
-ExperimentOptions optionsOf(const Flags& flags) {
+ExperimentOptions optionsOf(const EvaluateFlags& flags) {
   if (flags.threads < 0) {
     throw UsageError("--threads takes 1 or more, or 0 for all cores");
   }
@@ -46,7 +46,7 @@ ExperimentOptions optionsOf(const Flags& flags) {
 }
 
 /// Said before the work is done: DIR may be missing, the folder it is to stand in may not.
-std::filesystem::path outputFolder(const Flags& flags) {
+std::filesystem::path outputFolder(const EvaluateFlags& flags) {
   std::filesystem::path folder = withoutSlash(flags.output);
   std::error_code error;
   if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error)) {
@@ -58,7 +58,7 @@ std::filesystem::path outputFolder(const Flags& flags) {
   return folder;
 }
 
-int evaluateOne(const Flags& flags, const ExecutionContext& context) {
+int evaluateOne(const EvaluateFlags& flags, const ExecutionContext& context) {
   const LabelToEvaluate label{.segmentation = flags.segmentation,
                               .reading = readOptions(flags.input),
                               .choice = flags.choice,
@@ -69,7 +69,7 @@ int evaluateOne(const Flags& flags, const ExecutionContext& context) {
   return evaluateLabel(label, context) ? kDone : kInterrupted;
 }
 
-int evaluateMany(const Flags& flags, const ExecutionContext& context) {
+int evaluateMany(const EvaluateFlags& flags, const ExecutionContext& context) {
   CohortToEvaluate cohort{.list = readCohortList(flags.cohort), .options = optionsOf(flags), .recipes = recipesOf(flags.methods)};
   if (flags.count) {
     std::cout << cohort.list.entries.size() << '\n';
@@ -84,7 +84,7 @@ int evaluateMany(const Flags& flags, const ExecutionContext& context) {
   return flags.alone ? evaluatePatient(cohort, flags.task, context) : evaluateCohort(cohort, context);
 }
 
-int evaluate(const Flags& flags, const ExecutionContext& context) {
+int evaluate(const EvaluateFlags& flags, const ExecutionContext& context) {
   if (flags.segmentation.empty() && flags.cohort.empty()) {
     throw UsageError("evaluate takes a label map or a folder of masks, or --cohort LIST; name one");
   }
@@ -97,7 +97,7 @@ int evaluate(const Flags& flags, const ExecutionContext& context) {
 }  // namespace
 
 void addEvaluate(CLI::App& app, Action& chosen) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<EvaluateFlags>();
   auto* command = app.add_subcommand("evaluate", "Compare PSR with MCSD on one structure, or on one of each of many patients");
   auto* segmentation = command->add_option("SEG", flags->segmentation, "Label map or folder of masks");
   addMaskChoice(*command, flags->choice);

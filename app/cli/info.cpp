@@ -14,7 +14,7 @@ namespace glisson::cli {
 
 namespace {
 
-struct Flags {
+struct InfoFlags {
   std::vector<std::string> paths;
   bool json = false;
   InputFlags input;
@@ -184,7 +184,7 @@ void printText(const Json& all) {
 }  // namespace
 
 void addInfo(CLI::App& app, Action& chosen) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<InfoFlags>();
   auto* command = app.add_subcommand("info", "What files or folders hold: geometry, labels, volumes, warnings");
   command->add_option("PATH", flags->paths, "CT, segmentation or case; file or folder")->required();
   command->add_flag("--json", flags->json, "JSON on stdout");

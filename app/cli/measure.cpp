@@ -15,7 +15,7 @@ namespace glisson::cli {
 
 namespace {
 
-struct Flags {
+struct MeasureFlags {
   std::string mesh;
   std::string reference;
   bool json = false;
@@ -34,7 +34,7 @@ struct Measures {
   std::optional<ErrorSummary> voxelErrorMm;
 };
 
-Measures measure(const Flags& flags, const ExecutionContext& context) {
+Measures measure(const MeasureFlags& flags, const ExecutionContext& context) {
   Measures m;
   m.mesh = readMesh(flags.mesh);
   if (m.mesh.empty()) {
@@ -97,7 +97,7 @@ void printErrors(const std::string& name, const ErrorSummary& errors) {
             << formatNumber(errors.p95, 4) << " mm, max " << formatNumber(errors.max, 4) << " mm\n";
 }
 
-void printText(const Flags& flags, const Measures& m) {
+void printText(const MeasureFlags& flags, const Measures& m) {
   std::cout << flags.mesh << '\n'
             << "triangles: " << m.mesh.triangles.size() << '\n'
             << "vertices: " << m.mesh.vertices.size() << '\n'
@@ -125,7 +125,7 @@ void printText(const Flags& flags, const Measures& m) {
 }  // namespace
 
 void addMeasure(CLI::App& app, Action& chosen) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<MeasureFlags>();
   auto* command = app.add_subcommand("measure", "Volume, area, invariants, curvature and distances of a mesh file");
   command->add_option("MESH", flags->mesh, "An .stl, .ply, .obj or .vtp file, mm LPS")->required();
   command->add_option("--reference", flags->reference, "Label map or folder of masks to measure the errors against");

@@ -15,7 +15,7 @@ namespace glisson::cli {
 
 namespace {
 
-struct Flags {
+struct ModelFlags {
   std::string segmentation;
   std::string ct;
   bool embedCt = false;
@@ -86,7 +86,7 @@ void checkHoldsNoPlan(const std::filesystem::path& path) {
   }
 }
 
-int makeModel(const Flags& flags, const ExecutionContext& context) {
+int makeModel(const ModelFlags& flags, const ExecutionContext& context) {
   const ReadOptions options = readOptions(flags.input);
   if (std::filesystem::path(flags.output).extension() != ".glisson") {
     throw UsageError("-o " + flags.output + " needs the ending .glisson");
@@ -133,7 +133,7 @@ int makeModel(const Flags& flags, const ExecutionContext& context) {
 }  // namespace
 
 void addModel(CLI::App& app, Action& chosen) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<ModelFlags>();
   auto* command = app.add_subcommand("model", "Make the whole liver model: all structures, default methods");
   command->add_option("SEG", flags->segmentation, "Label map or folder of masks")->required();
   command->add_option("--ct", flags->ct, "The CT the segmentation belongs to");

@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/plan_flags.h"
@@ -13,13 +12,12 @@
 #include "planning/storage/case_file.h"
 #include "planning/volumetry/bend_over.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
 
 namespace {
-using Json = nlohmann::ordered_json;
-
 std::size_t planIndex(const Plans& plans, const std::string& name, const std::string& flag, const std::string& file) {
   if (name.empty() && !plans.empty()) {
     return 0;

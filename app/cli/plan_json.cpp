@@ -8,8 +8,6 @@
 namespace glisson::cli {
 
 namespace {
-using Json = nlohmann::ordered_json;
-
 /// Where plane `p` of the resection stands.
 Json placeJson(const Resection& resection, std::size_t p) {
   const ResectionPlane& plane = resection.planes[p];
@@ -20,7 +18,7 @@ Json placeJson(const Resection& resection, std::size_t p) {
 }
 }  // namespace
 
-nlohmann::ordered_json planesJson(const ResectionPlan& plan) {
+Json planesJson(const ResectionPlan& plan) {
   Json json = Json::array();
   for (const Resection& resection : plan.resections) {
     for (std::size_t p = 0; p < resection.planes.size(); ++p) {
@@ -30,7 +28,7 @@ nlohmann::ordered_json planesJson(const ResectionPlan& plan) {
   return json;
 }
 
-nlohmann::ordered_json bendsJson(const ResectionPlan& plan) {
+Json bendsJson(const ResectionPlan& plan) {
   Json json = Json::array();
   for (const Resection& resection : plan.resections) {
     for (std::size_t p = 0; p < resection.planes.size(); ++p) {
@@ -51,7 +49,7 @@ nlohmann::ordered_json bendsJson(const ResectionPlan& plan) {
   return json;
 }
 
-nlohmann::ordered_json measuresJson(const std::vector<Measure>& measures) {
+Json measuresJson(const std::vector<Measure>& measures) {
   Json json = Json::array();
   for (const Measure& m : measures) {
     json.push_back({{"name", m.name},
@@ -62,7 +60,7 @@ nlohmann::ordered_json measuresJson(const std::vector<Measure>& measures) {
   return json;
 }
 
-nlohmann::ordered_json structuresJson(const LiverModel& model) {
+Json structuresJson(const LiverModel& model) {
   Json json = Json::array();
   for (const Structure& structure : model.structures) {
     const auto& made = structure.reconstruction;

@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cmath>
 #include <iostream>
 
@@ -12,13 +11,14 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/parallel.h"
 #include "reconstruction/peak_memory.h"
+#include "reconstruction/stopwatch.h"
 #include "reconstruction/text.h"
 
 namespace glisson::cli {
 
 namespace {
 
-struct Flags {
+struct CommandFlags {
   std::string segmentation;
   std::string output;
   std::string report;
@@ -36,10 +36,6 @@ struct Made {
   ReconstructReport measured;
 };
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// OUT.stl -> OUT_d5.stl where several surfaces are asked for.
 std::filesystem::path withSuffix(const std::filesystem::path& path, const std::string& suffix) {
   if (suffix.empty() || path.empty()) {
@@ -48,7 +44,7 @@ std::filesystem::path withSuffix(const std::filesystem::path& path, const std::s
   return path.parent_path() / (path.stem().string() + suffix + path.extension().string());
 }
 
-void checkOutputs(const Flags& flags) {
+void checkOutputs(const CommandFlags& flags) {
   const std::string extension = toLower(std::filesystem::path(flags.output).extension().string());
   if (extension != ".stl" && extension != ".ply" && extension != ".obj" && extension != ".vtp" && extension != ".glb") {
     throw UsageError("-o " + flags.output + " needs one of the endings .stl .ply .obj .vtp .glb");
@@ -78,28 +74,28 @@ std::string summaryOf(const Made& made) {
 }
 
 void write(Made& made, const ChosenMask& chosen) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   writeMesh({made.output.stem().string(), chosen.name, defaultColour(chosen.kind), 1.0, made.result.mesh}, made.output);
-  made.measured.writeSeconds = secondsSince(start);
+  made.measured.writeSeconds = stopwatch.seconds();
   if (!made.report.empty()) {
     writeFileAtomically(made.report, textOf(toJson(made.result, made.measured)) + "\n");
   }
 }
 
-int reconstructAll(const CLI::App& command, const Flags& flags, const ExecutionContext& context) {
+int reconstructAll(const CLI::App& command, const CommandFlags& flags, const ExecutionContext& context) {
   const std::vector<ParameterSet> sets = parametersOf(command, flags.method);
   const ReadOptions options = readOptions(flags.input);
   checkOutputs(flags);
   const ThreadLimit limit(flags.threads);
 
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   const Segmentation segmentation = readSegmentation(flags.segmentation, options, context.range(0, 0.2));
   const ChosenMask chosen = chooseMask(segmentation, flags.choice);
   if (chosen.mask->empty()) {
     throw ReconstructionError(flags.segmentation + ", " + chosen.name +
                               ": the mask is empty, so there is no surface to make; choose another structure");
   }
-  const double loadSeconds = secondsSince(start);
+  const double loadSeconds = stopwatch.seconds();
 
   std::vector<Made> all(sets.size());
   std::vector<ReconstructionParameters> parameters;
@@ -140,7 +136,7 @@ int reconstructAll(const CLI::App& command, const Flags& flags, const ExecutionC
 }  // namespace
 
 void addReconstruct(CLI::App& app, Action& chosen) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<CommandFlags>();
   auto* command = app.add_subcommand("reconstruct", "Make the surface of one structure");
   command->add_option("SEG", flags->segmentation, "Label map or folder of masks")->required();
   addMaskChoice(*command, flags->choice);

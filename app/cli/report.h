@@ -1,15 +1,13 @@
 #pragma once
 // Purpose: the JSON of `reconstruct --report` and `measure --json` (keys are a contract: README, "The command line").
 
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "reconstruction/json.h"
 #include "reconstruction/mesh/distance.h"
 #include "reconstruction/reconstruct.h"
 
 namespace glisson::cli {
-
-using Json = nlohmann::ordered_json;
 
 struct ReconstructReport {
   double loadSeconds = 0;

@@ -9,7 +9,7 @@ namespace glisson {
 
 namespace {
 
-constexpr auto kRows = std::to_array<SentenceRow>({
+constexpr auto kDicomRows = std::to_array<SentenceRow>({
     {"fs", QT_TRANSLATE_NOOP("Sentence", "%1 %2; copy or export the series again.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "holds colours or inverted grey (%1) instead of plain grey values")},
     {"fn",
@@ -125,6 +125,6 @@ constexpr auto kRows = std::to_array<SentenceRow>({
 
 }  // namespace
 
-std::span<const SentenceRow> dicomSentences() { return kRows; }
+std::span<const SentenceRow> dicomSentences() { return kDicomRows; }
 
 }  // namespace glisson

@@ -9,7 +9,7 @@ namespace glisson {
 
 namespace {
 
-constexpr auto kRows = std::to_array<SentenceRow>({
+constexpr auto kModelRows = std::to_array<SentenceRow>({
     {"nnnnnnnnn", QT_TRANSLATE_NOOP("Sentence", "%1x%2x%3 voxels of %4x%5x%6 mm at (%7, %8, %9)")},
     {"ss", QT_TRANSLATE_NOOP("Sentence", "%1 has an empty grid (%2); export it again.")},
     {"s",
@@ -191,6 +191,6 @@ constexpr auto kRows = std::to_array<SentenceRow>({
 
 }  // namespace
 
-std::span<const SentenceRow> modelSentences() { return kRows; }
+std::span<const SentenceRow> modelSentences() { return kModelRows; }
 
 }  // namespace glisson

@@ -9,7 +9,7 @@ namespace glisson {
 
 namespace {
 
-constexpr auto kRows = std::to_array<SentenceRow>({
+constexpr auto kPlanningRows = std::to_array<SentenceRow>({
     {"fkf", "%1: it is not known what \"%2\" is; say it with --labels \"%3=KIND\" (a structure kind, or other to leave it out).",
      QT_TRANSLATE_NOOP("Sentence", "%1: it is not known what \"%2\" is; open the files again and choose its kind.")},
     {"k", QT_TRANSLATE_NOOP("Sentence", "%1 has no voxels and is not in the model.")},
@@ -261,6 +261,6 @@ constexpr auto kRows = std::to_array<SentenceRow>({
 
 }  // namespace
 
-std::span<const SentenceRow> planningSentences() { return kRows; }
+std::span<const SentenceRow> planningSentences() { return kPlanningRows; }
 
 }  // namespace glisson

@@ -9,7 +9,7 @@ namespace glisson {
 
 namespace {
 
-constexpr auto kRows = std::to_array<SentenceRow>({
+constexpr auto kPlansRows = std::to_array<SentenceRow>({
     {"", QT_TRANSLATE_NOOP("Sentence", "The height is not given, so no standardised liver volume and no threshold is shown.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "The weight is not given, so no standardised liver volume and no threshold is shown.")},
     {"n", QT_TRANSLATE_NOOP("Sentence",
@@ -127,6 +127,6 @@ constexpr auto kRows = std::to_array<SentenceRow>({
 
 }  // namespace
 
-std::span<const SentenceRow> planSentences() { return kRows; }
+std::span<const SentenceRow> planSentences() { return kPlansRows; }
 
 }  // namespace glisson

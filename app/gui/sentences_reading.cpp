@@ -9,7 +9,7 @@ namespace glisson {
 
 namespace {
 
-constexpr auto kRows = std::to_array<SentenceRow>({
+constexpr auto kReadingRows = std::to_array<SentenceRow>({
     {"fn", QT_TRANSLATE_NOOP("Sentence", "%1 was not read within %2 seconds; check the file, or copy it to a faster disk.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "No temporary folder can be made in %1; free some space there.")},
     {"",
@@ -214,6 +214,6 @@ constexpr auto kRows = std::to_array<SentenceRow>({
 
 }  // namespace
 
-std::span<const SentenceRow> readingSentences() { return kRows; }
+std::span<const SentenceRow> readingSentences() { return kReadingRows; }
 
 }  // namespace glisson

@@ -9,7 +9,7 @@ namespace glisson {
 
 namespace {
 
-constexpr auto kRows = std::to_array<SentenceRow>({
+constexpr auto kWindowRows = std::to_array<SentenceRow>({
     {"ffs", QT_TRANSLATE_NOOP("Sentence", "%1 and %2 both hold %3; open one of them at a time.")},
     {"", QT_TRANSLATE_NOOP("Sentence", "a case")},
     {"", QT_TRANSLATE_NOOP("Sentence", "a CT")},
@@ -84,7 +84,7 @@ constexpr auto kNames = std::to_array<SentenceRow>({
 
 }  // namespace
 
-std::span<const SentenceRow> windowSentences() { return kRows; }
+std::span<const SentenceRow> windowSentences() { return kWindowRows; }
 
 std::span<const SentenceRow> knownNames() { return kNames; }
 

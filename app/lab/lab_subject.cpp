@@ -1,8 +1,7 @@
 #include "app/lab/lab_subject.h"
 
-#include <chrono>
-
 #include "reconstruction/image/liver_voxels.h"
+#include "reconstruction/stopwatch.h"
 
 namespace glisson::lab {
 
@@ -23,9 +22,9 @@ const LabSamples& LabSubject::samples(Sampling sampling, const ExecutionContext&
   const std::lock_guard lock(sampling_);
   std::unique_ptr<const LabSamples>& kept = samples_[static_cast<std::size_t>(sampling)];
   if (kept == nullptr) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     LabSamples made{sampleBoundary(*mask_, geometry_, sampling, context), 0};
-    made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    made.seconds = stopwatch.seconds();
     kept = std::make_unique<const LabSamples>(std::move(made));
   }
   return *kept;

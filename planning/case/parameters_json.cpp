@@ -3,8 +3,6 @@
 namespace glisson {
 
 namespace {
-using Json = nlohmann::ordered_json;
-
 Json picked(const Json& all, std::initializer_list<const char*> keys) {
   Json json;
   for (const char* key : keys) {

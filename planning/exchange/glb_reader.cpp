@@ -1,14 +1,11 @@
 #include "planning/exchange/glb_reader.h"
 
-#include <nlohmann/json.hpp>
-
 #include "planning/exchange/byte_reader.h"
+#include "reconstruction/json.h"
 
 namespace glisson {
 
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::uint32_t kGlbMagic = 0x46546C67;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;

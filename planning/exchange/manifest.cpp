@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "planning/exchange/version.h"
 #include "planning/storage/sha256.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 
 namespace glisson {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const std::string kZeros(64, '0');
 

@@ -2,18 +2,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "planning/case/parameters_json.h"
 #include "planning/exchange/manifest.h"
 #include "planning/exchange/pseudonym.h"
 #include "planning/exchange/version.h"
+#include "reconstruction/json.h"
 
 namespace glisson {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json toArray(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(); }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "planning/volumetry/margin_plane.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -224,7 +224,6 @@ std::vector<std::string> differenceOf(const AssessedPlan& a, const AssessedPlan&
 }
 
 std::string toJson(const PlanComparison& comparison, const std::vector<std::string>& differences) {
-  using Json = nlohmann::ordered_json;
   Json json;
   json["plans"] = comparison.names;
   json["rows"] = Json::array();

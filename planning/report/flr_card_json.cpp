@@ -1,12 +1,10 @@
-#include <nlohmann/json.hpp>
 
 #include "planning/report/flr_card.h"
+#include "reconstruction/json.h"
 
 namespace glisson {
 
 namespace {
-using Json = nlohmann::ordered_json;
-
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json fromRatio(const FlrRatio& ratio) {

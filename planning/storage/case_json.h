@@ -1,15 +1,12 @@
 #pragma once
 // Purpose: the parts of a case as JSON, for the case file. Private to storage/. Numbers come back as the same doubles.
-// The from-functions throw nlohmann::json::exception or std::runtime_error on what does not fit.
-
-#include <nlohmann/json.hpp>
+// The from-functions throw Json::exception or std::runtime_error on what does not fit.
 
 #include "planning/case/case.h"
 #include "planning/case/structure_state.h"
+#include "reconstruction/json.h"
 
 namespace glisson::caseJson {
-
-using Json = nlohmann::ordered_json;
 
 Json fromPlans(const std::vector<ResectionPlan>& plans);
 std::vector<ResectionPlan> toPlans(const Json& json);

@@ -13,7 +13,6 @@
 namespace glisson::caseTables {
 
 namespace {
-using caseJson::Json;
 
 Mask getMask(const Database& database, const std::string& key, const Json& box, const Index3& size) {
   return getPart(database, key, [&](std::span<const std::byte> data) { return unpackMask(data, caseJson::toBox(box, size)); });

@@ -15,7 +15,6 @@
 namespace glisson {
 
 namespace {
-using caseJson::Json;
 
 constexpr double kLargestBytes = 4.0 * (1 << 30);
 constexpr std::size_t kPartBytes = std::size_t{4} << 20;  ///< of voxels, where a slice is not larger

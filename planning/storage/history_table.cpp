@@ -10,7 +10,6 @@
 namespace glisson::caseTables {
 
 namespace {
-using caseJson::Json;
 
 constexpr std::array kKinds{"patient", "territories", "structures"};
 

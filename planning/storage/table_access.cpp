@@ -7,8 +7,6 @@
 namespace glisson::caseTables {
 
 namespace {
-using Json = nlohmann::ordered_json;
-
 std::int64_t crcOf(std::string_view text) {
   return static_cast<std::int64_t>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
 }

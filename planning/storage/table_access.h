@@ -2,7 +2,6 @@
 // Purpose: rows of a case file's tables: documents with their checksum, packed parts. Private to storage/.
 // What is missing or does not match its checksum throws InputError through damaged().
 
-#include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -10,11 +9,12 @@
 #include "planning/storage/database.h"
 #include "planning/storage/packing.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 
 namespace glisson::caseTables {
 
 /// A text that is no UTF-8 (a name from a foreign file) must not make the case impossible to save.
-std::string textOf(const nlohmann::ordered_json& json);
+std::string textOf(const Json& json);
 
 [[noreturn]] void damaged(const Database& database, const std::string& what);
 
@@ -29,7 +29,7 @@ template <typename Read>
 auto readOrDamaged(const Database& database, const std::string& misfit, Read&& read) {
   try {
     return read();
-  } catch (const nlohmann::json::exception&) {
+  } catch (const Json::exception&) {
     damaged(database, misfit);
   } catch (const InputError&) {
     throw;

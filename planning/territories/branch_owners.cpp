@@ -2,13 +2,12 @@
 
 #include <string>
 
+#include "planning/territories/place.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
 
 namespace {
-std::size_t at(std::int32_t n) { return static_cast<std::size_t>(n); }
-
 /// The pick that names each branch; kOwnsNothing where none does.
 std::vector<std::int32_t> namedBranches(const VesselGraph& portal, const TerritoryChoice& choice) {
   std::vector<std::int32_t> picks(portal.branches.size(), kOwnsNothing);

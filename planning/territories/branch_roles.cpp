@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planning/territories/place.h"
+
 namespace glisson {
 
 namespace {
@@ -9,8 +11,6 @@ constexpr double kOwnTree = 0.2;        ///< share of the greatest tree that mak
 constexpr double kEnoughInside = 0.25;  ///< share of the length in the liver: splenic and mesenteric branches have none
 constexpr std::int32_t kFewInside = 4;  ///< less than one of this many voxels of the cava's centreline lie in the liver
 constexpr double kCavaWidth = 0.6;      ///< of the radius before: the cava goes on there
-
-std::size_t at(std::int32_t n) { return static_cast<std::size_t>(n); }
 
 class Roles {
  public:

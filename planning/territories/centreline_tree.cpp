@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "planning/territories/place.h"
 #include "planning/territories/site_forest.h"
 #include "reconstruction/text.h"
 
@@ -14,8 +15,6 @@ constexpr double kEndMm = 10;  ///< how far an end is looked at for its width; t
 constexpr double kSmallPiece = 0.2;  ///< of the greatest piece's length in the liver
 constexpr double kWideEnd = 0.5;     ///< of the widest end's squared radius: a piece may hang on this end as well
 constexpr double kOwnOutletMm = 10;  ///< a piece that reaches this far out of the liver has an inflow or outflow of its own
-
-std::size_t at(std::int32_t site) { return static_cast<std::size_t>(site); }
 
 struct Piece {
   Sites sites;

@@ -1,19 +1,19 @@
 #include "planning/territories/site_forest.h"
 
 #include <algorithm>
-#include <limits>
 #include <queue>
+
+#include "planning/infinity.h"
+#include "planning/territories/place.h"
 
 namespace glisson {
 
 namespace {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 using Entry = std::pair<double, std::int32_t>;
-using Nearest = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+using NearestFirst = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
 
 constexpr double kSpurRadii = 1.5;  ///< from the middle of a vessel: its wall, where the way is oblique or the border rough
 
-std::size_t at(std::int32_t site) { return static_cast<std::size_t>(site); }
 }  // namespace
 
 SiteForest::SiteForest(const CentrelineLinks& links, double voxelMm)
@@ -53,7 +53,7 @@ std::int32_t SiteForest::grow(const Sites& piece, const Sites& sources) {
     parent_[at(s)] = -1;
     children_[at(s)] = 0;
   }
-  Nearest open;
+  NearestFirst open;
   for (const std::int32_t s : sources) {
     wayMm_[at(s)] = 0;
     open.emplace(0.0, s);
@@ -95,7 +95,7 @@ double SiteForest::spurLimit(std::int32_t junction) const {
 }
 
 void SiteForest::pruneEnds(const Sites& piece) {
-  Nearest waiting;
+  NearestFirst waiting;
   const auto add = [&](std::int32_t end) {
     const std::int32_t junction = junctionAbove(end);
     if (junction >= 0 && lengthBetween(end, junction) < spurLimit(junction)) {

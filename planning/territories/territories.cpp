@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "planning/territories/branch_owners.h"
+#include "planning/territories/place.h"
 #include "planning/volumetry/nearest_site.h"
 #include "planning/volumetry/side_pieces.h"
 #include "reconstruction/errors.h"
@@ -17,8 +18,6 @@ constexpr double kUsualLeftLow = 0.15;
 constexpr int kSegments = 8;
 constexpr const char* kNoBifurcation =
     "The label of the portal vein has no main bifurcation, so left and right are not proposed; pick branches.";
-
-std::size_t at(std::int32_t n) { return static_cast<std::size_t>(n); }
 
 /// Calls visit(i, j, k, set) for every voxel of L's box and deals the set ones to `parts` by the label visit returns.
 template <typename LabelOf>

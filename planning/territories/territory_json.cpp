@@ -1,12 +1,10 @@
 #include "planning/territories/territory_json.h"
 
-#include <nlohmann/json.hpp>
+#include "reconstruction/json.h"
 
 namespace glisson {
 
 namespace {
-using Json = nlohmann::ordered_json;
-
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 Json pointOf(const Vec3& p) { return Json::array({p[0], p[1], p[2]}); }
 
@@ -83,7 +81,7 @@ std::string toJson(const PlanAssessment& assessment, const TerritoryReport& repo
   estimates["notes"] = report.notes;
   json["estimates"] = std::move(estimates);
   // A name that is no UTF-8 must not cost the numbers.
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace glisson

@@ -5,14 +5,13 @@
 
 #include "planning/territories/branch_roles.h"
 #include "planning/territories/centreline_tree.h"
+#include "planning/territories/place.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
 
 namespace {
 constexpr int kSmoothings = 8;
-
-std::size_t at(std::int32_t n) { return static_cast<std::size_t>(n); }
 
 /// Orders the sites of a forest in preorder and cuts them into branches.
 class GraphMaker {

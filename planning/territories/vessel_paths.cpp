@@ -1,21 +1,19 @@
 #include "planning/territories/vessel_paths.h"
 
 #include <algorithm>
-#include <limits>
 #include <queue>
 
+#include "planning/infinity.h"
+#include "planning/territories/place.h"
 #include "planning/volumetry/inscribed_balls.h"
 
 namespace glisson {
 
 namespace {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kCoverRadii = 2;   ///< a way covers this many of its radii around it,
 constexpr double kCoverVoxels = 1;  ///< and this many of the longest edges of a voxel more
 constexpr double kNearRadii = 0.5;  ///< a later way ends this near to it, instead of running beside it
 using Voxels = std::vector<std::int32_t>;
-
-std::size_t at(std::int32_t n) { return static_cast<std::size_t>(n); }
 
 /// The mask's voxels by number, and the numbers around one.
 class VoxelList {

@@ -1,13 +1,11 @@
-#include <nlohmann/json.hpp>
 
 #include "planning/volumetry/assessment.h"
+#include "reconstruction/json.h"
 
 namespace glisson {
 
 namespace {
-nlohmann::ordered_json orNull(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
+Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 }  // namespace
 
 std::string_view textOf(TumourState state) {
@@ -25,7 +23,6 @@ std::string_view textOf(TumourState state) {
 std::string_view textOf(PlanSide side) { return side == PlanSide::Resected ? "resected" : "remnant"; }
 
 std::string toJson(const PlanAssessment& assessment) {
-  using Json = nlohmann::ordered_json;
   Json json;
   json["totalMl"] = assessment.totalMl;
   json["tumourMl"] = assessment.tumourMl;
@@ -69,7 +66,7 @@ std::string toJson(const PlanAssessment& assessment) {
                                       {"runsAlongCut", crossing.runsAlong}});
   }
   // A name that is no UTF-8 must not cost the numbers.
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace glisson

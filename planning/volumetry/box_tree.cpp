@@ -1,13 +1,13 @@
 #include "planning/volumetry/box_tree.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
+
+#include "planning/infinity.h"
 
 namespace glisson {
 
 namespace {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kLeaf = 4;
 }  // namespace
 

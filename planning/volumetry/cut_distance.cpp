@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "planning/infinity.h"
+
 namespace glisson {
 
 namespace {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void keepShorter(CutDistance::Way& best, const Vec3& from, const Vec3& to) {
   const double mm = (to - from).norm();

@@ -1,12 +1,10 @@
-#include <nlohmann/json.hpp>
 
 #include "planning/volumetry/margin_plane.h"
+#include "reconstruction/json.h"
 
 namespace glisson {
 
 namespace {
-using Json = nlohmann::ordered_json;
-
 Json fromVector(const Vec3& v) { return Json::array({v[0], v[1], v[2]}); }
 }  // namespace
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "planning/infinity.h"
 #include "planning/volumetry/cut_maker.h"
 #include "reconstruction/parallel.h"
 
 namespace glisson {
 
 namespace {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Extent {
   explicit Extent(const Box& box) : low(box.centre - box.half), high(box.centre + box.half) {}
@@ -37,13 +36,13 @@ bool isWithin(const TumourBoxes& tumour, const Extent& box, double mm, std::uint
   });
 }
 
-struct Nearest {
+struct NearestPoint {
   double mm = kInfinity;
   Vec3 at = Vec3::Zero();
 };
 
 /// Makes `best` the tumour's point that is nearest to `point`, where that is nearer.
-void keepNearer(const TumourBoxes& tumour, const Vec3& point, Nearest& best, std::uint32_t of = 0) {
+void keepNearer(const TumourBoxes& tumour, const Vec3& point, NearestPoint& best, std::uint32_t of = 0) {
   const BoxTree::Node& node = tumour.tree.nodes()[of];
   if (node.isLeaf()) {
     for (std::uint32_t n = node.begin; n < node.end; ++n) {
@@ -99,15 +98,15 @@ double leastAlong(const Vec3& way, const Vec3& half, const Slab& slab) {
   return least;
 }
 
-struct Found {
+struct NearPiece {
   CutPiece piece;
   double leastMm = 0;  ///< how near it is at least
 };
 
 /// What was made before nearer pieces were known may be far away.
-std::vector<CutPiece> within(double mm, std::vector<Found>& found) {
+std::vector<CutPiece> within(double mm, std::vector<NearPiece>& found) {
   std::vector<CutPiece> pieces;
-  for (Found& one : found) {
+  for (NearPiece& one : found) {
     if (one.leastMm <= mm) {
       pieces.push_back(std::move(one.piece));
     }
@@ -116,7 +115,7 @@ std::vector<CutPiece> within(double mm, std::vector<Found>& found) {
 }
 
 /// All of them, in cutSurface()'s order.
-std::vector<CutPiece> byRun(std::vector<Found>& found) {
+std::vector<CutPiece> byRun(std::vector<NearPiece>& found) {
   std::vector<CutPiece> pieces = within(kInfinity, found);
   std::stable_sort(pieces.begin(), pieces.end(), [](const CutPiece& a, const CutPiece& b) { return a.run < b.run; });
   return pieces;
@@ -147,7 +146,7 @@ double NearSurface::Facing::leastTo(const Polygon& polygon) const {
 }
 
 NearSurface::Facing NearSurface::facingOf(const Box& block) const {
-  Nearest nearest;
+  NearestPoint nearest;
   keepNearer(tumour_, block.centre, nearest);
   if (!(nearest.mm > kOnPlaneMm)) {
     return {};
@@ -199,8 +198,8 @@ std::vector<CutPiece> NearSurface::pieces(const std::vector<std::size_t>& cut, c
   const double flattening = mostFlatteningMm(plan, spacing_) + kSlackMm;
   const bool flat = !hasBends(plan);
   CutMaker maker(plan, spacing_);
-  Nearest nearest;  // no farther than the nearest piece so far
-  std::vector<Found> found;
+  NearestPoint nearest;  // no farther than the nearest piece so far
+  std::vector<NearPiece> found;
   std::vector<CutPiece> some;
   std::vector<bool> done(flat ? liver_.runs.size() : 0);
   for (const auto& [least, n] : nearestFirst(cut, plan, flattening)) {

@@ -6,17 +6,16 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "planning/infinity.h"
 #include "planning/volumetry/convex_projection.h"
 
 namespace glisson {
 
 namespace {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What the distance of a point outside to the surface surely does not pass: that of a point of it, where the plane that touches it
 /// over the point would be met.

@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "planning/infinity.h"
 #include "planning/volumetry/tumour_margin.h"
 #include "reconstruction/parallel.h"
 
 namespace glisson {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// From a point to the nearest point of [low, high].
 Vec3 stepTo(const Vec3& point, const Vec3& low, const Vec3& high) { return point.cwiseMax(low).cwiseMin(high) - point; }

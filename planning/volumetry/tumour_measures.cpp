@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "planning/infinity.h"
 #include "planning/volumetry/box_corners.h"
+#include "reconstruction/json.h"
 
 namespace glisson {
 
 namespace {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Runs by slice and row, for the shortest way to them.
 class RowFinder {
@@ -187,7 +186,6 @@ std::vector<TumourMeasures> tumourMeasures(const Case& source, const ExecutionCo
 }
 
 std::string toJson(const std::vector<TumourMeasures>& measures) {
-  using Json = nlohmann::ordered_json;
   const auto fromVector = [](const Vec3& v) { return Json::array({v[0], v[1], v[2]}); };
   Json json = Json::array();
   for (const TumourMeasures& m : measures) {

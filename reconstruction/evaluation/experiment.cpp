@@ -1,7 +1,6 @@
 #include "reconstruction/evaluation/experiment.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <map>
 #include <new>
@@ -12,15 +11,13 @@
 #include "reconstruction/methods/methods.h"
 #include "reconstruction/parallel.h"
 #include "reconstruction/peak_memory.h"
+#include "reconstruction/stopwatch.h"
 
 namespace glisson {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Places = std::vector<std::size_t>;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void keepQuicker(std::optional<ModelSeconds>& best, const ModelSeconds& seconds) {
   if (!best || seconds.total() < best->total()) {
@@ -106,9 +103,9 @@ Places Experiment::placesOf(std::initializer_list<ModelFamily> families) const {
 }
 
 void Experiment::measure(const SurfaceMesh& mesh, EvaluatedModel& model, const ExecutionContext& context) const {
-  const auto start = Clock::now();
+  const Stopwatch stopwatch;
   attempt(model.failure, [&] { model.measures = measureModel(mesh, model.recipe, reference_, context); });
-  model.seconds.measure = secondsSince(start);
+  model.seconds.measure = stopwatch.seconds();
 }
 
 Poisson Experiment::poissonOfDepth(int depth, const ExecutionContext& context) const {
@@ -131,9 +128,9 @@ SurfaceMesh Experiment::simplified(const SurfaceMesh& mesh, EvaluatedModel& mode
   SurfaceMesh made;
   double least = std::numeric_limits<double>::max();
   for (int run = 0; run < options_.timings; ++run) {
-    const auto start = Clock::now();
+    const Stopwatch stopwatch;
     made = simplify(mesh, {.triangles = simplifiedCount(mesh.triangles.size(), model.recipe)}, context);
-    least = std::min(least, secondsSince(start));
+    least = std::min(least, stopwatch.seconds());
   }
   model.seconds.simplify = least;
   return made;

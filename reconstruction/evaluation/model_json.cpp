@@ -1,12 +1,10 @@
 #include "reconstruction/evaluation/model_json.h"
 
-#include <nlohmann/json.hpp>
+#include "reconstruction/json.h"
 
 namespace glisson {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Names of a struct's numbers, for writing and for reading alike.
 template <typename Value>
@@ -132,7 +130,7 @@ std::optional<EvaluatedModel> modelOfJson(std::string_view text, std::string_vie
       model.peakMemoryMb = json.at("peakMemoryMb").get<double>();
     }
     return model;
-  } catch (const nlohmann::json::exception&) {
+  } catch (const Json::exception&) {
     return std::nullopt;  // cut off, or not ours: the model is made anew
   }
 }

@@ -1,11 +1,11 @@
 #include "reconstruction/evaluation/model_mesh.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "reconstruction/mesh/sharp_edges.h"
 #include "reconstruction/mesh/simplify.h"
 #include "reconstruction/methods/methods.h"
+#include "reconstruction/stopwatch.h"
 
 namespace glisson {
 
@@ -27,16 +27,15 @@ ModelMesh makeListed(const Mask& mask, const ImageGeometry& geometry, const Mode
 template <typename Solve>
 ModelMesh makePoisson(const ModelRecipe& recipe, const ExperimentOptions& options, const ExecutionContext& context,
                       const Solve& solve) {
-  using Clock = std::chrono::steady_clock;
   const double share = recipe.divisor > 1 ? 0.6 : 1.0;
   PoissonResult poisson = solve(poissonOf(recipe, options), context.range(0.0, share));
   ModelMesh made{std::move(poisson.mesh),
                  poisson.usedDepth,
                  {.sample = poisson.sampleSeconds, .solve = poisson.solveSeconds, .extract = poisson.extractSeconds}};
   if (recipe.divisor > 1) {
-    const auto start = Clock::now();
+    const Stopwatch stopwatch;
     made.mesh = simplify(made.mesh, {.triangles = simplifiedCount(made.mesh.triangles.size(), recipe)}, context.range(share, 1.0));
-    made.seconds.simplify = std::chrono::duration<double>(Clock::now() - start).count();
+    made.seconds.simplify = stopwatch.seconds();
   }
   return made;
 }

@@ -15,7 +15,21 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-enum Column : std::size_t { Name, Place, Model, Method, Subject, Counts, Value, Seconds, Seed, Repeats, Question, Grade, kColumns };
+enum RatingColumn : std::size_t {
+  kName,
+  kPlace,
+  kModel,
+  kMethod,
+  kSubject,
+  kCounts,
+  kValue,
+  kSeconds,
+  kSeed,
+  kRepeats,
+  kQuestion,
+  kGrade,
+  kColumns
+};
 constexpr std::array<const char*, kColumns> kNames{"rater",  "showing", "model", "method",  "subject",  "counts",
                                                    "rating", "seconds", "seed",  "repeats", "question", "grade"};
 
@@ -31,7 +45,7 @@ class SessionReader {
     read.study = study();
     std::set<std::string_view> names;
     for (std::size_t first = 1; first < lines_.size(); first += showings_) {
-      const std::string& name = lines_[first][Name];
+      const std::string& name = lines_[first][kName];
       if (name.empty() || !names.insert(name).second) {
         refuse(first, "starts a rater whose name is missing or was there before");
       }
@@ -48,8 +62,8 @@ class SessionReader {
 
   /// To a file of an earlier version.
   void addGrades() {
-    if (!lines_.empty() && lines_.front() == Cells(kNames.begin(), kNames.begin() + Grade)) {
-      lines_.front().emplace_back(kNames[Grade]);
+    if (!lines_.empty() && lines_.front() == Cells(kNames.begin(), kNames.begin() + kGrade)) {
+      lines_.front().emplace_back(kNames[kGrade]);
       std::for_each(lines_.begin() + 1, lines_.end(), [](Cells& cells) { cells.emplace_back(); });
     }
   }
@@ -68,7 +82,7 @@ class SessionReader {
     }
   }
 
-  [[nodiscard]] long long integer(std::size_t line, Column column, long long most) const {
+  [[nodiscard]] long long integer(std::size_t line, RatingColumn column, long long most) const {
     const std::optional<long long> value = parseInteger(lines_[line][column]);
     if (!value || *value < 0 || *value > most) {
       refuse(line, "holds no such number as " + std::string(kNames[column]));
@@ -78,25 +92,25 @@ class SessionReader {
 
   /// The models are those of the first rater, whose lines tell them all.
   RatingStudy study() {
-    const auto seed = integer(1, Seed, std::numeric_limits<std::uint32_t>::max());
+    const auto seed = integer(1, kSeed, std::numeric_limits<std::uint32_t>::max());
     std::vector<RatedModel> models;
     std::set<std::string_view> ids;
     std::size_t end = 1;
-    for (; end < lines_.size() && lines_[end][Name] == lines_[1][Name]; ++end) {
+    for (; end < lines_.size() && lines_[end][kName] == lines_[1][kName]; ++end) {
       const Cells& cells = lines_[end];
-      if (cells[Counts] == "1") {
-        if (cells[Model].empty() || !ids.insert(cells[Model]).second) {
+      if (cells[kCounts] == "1") {
+        if (cells[kModel].empty() || !ids.insert(cells[kModel]).second) {
           refuse(end, "names no model, or one that was there before");
         }
-        models.push_back({cells[Model], cells[Method], cells[Subject], cells[Grade]});
+        models.push_back({cells[kModel], cells[kMethod], cells[kSubject], cells[kGrade]});
       }
     }
     showings_ = end - 1;
     if (models.empty()) {
       refuse(1, "starts a rater without models");
     }
-    const auto repeats = static_cast<std::size_t>(integer(1, Repeats, static_cast<long long>(models.size())));
-    return ratingStudy(lines_[1][Question], std::move(models), static_cast<std::uint32_t>(seed), repeats);
+    const auto repeats = static_cast<std::size_t>(integer(1, kRepeats, static_cast<long long>(models.size())));
+    return ratingStudy(lines_[1][kQuestion], std::move(models), static_cast<std::uint32_t>(seed), repeats);
   }
 
   std::vector<Rating> ratings(const RatingSession& session, std::size_t first) const {
@@ -104,16 +118,16 @@ class SessionReader {
     std::vector<Rating> read;
     for (std::size_t n = 0; n < order.size(); ++n) {
       const std::size_t line = first + n;
-      if (line >= lines_.size() || lines_[line][Name] != lines_[first][Name]) {
+      if (line >= lines_.size() || lines_[line][kName] != lines_[first][kName]) {
         refuse(line, "is missing, or is another rater's");
       }
       checkShowing(session.study, line, n, order[n]);
       const Cells& cells = lines_[line];
-      if (cells[Value].empty() && cells[Seconds].empty()) {
+      if (cells[kValue].empty() && cells[kSeconds].empty()) {
         continue;
       }
-      const std::optional<double> seconds = parseNumber(cells[Seconds]);
-      const Rating rating{static_cast<int>(integer(line, Value, kHighestRating)), seconds.value_or(-1)};
+      const std::optional<double> seconds = parseNumber(cells[kSeconds]);
+      const Rating rating{static_cast<int>(integer(line, kValue, kHighestRating)), seconds.value_or(-1)};
       if (!isOfScale(rating)) {
         refuse(line, "holds a rating outside 1 to 5, or no time beside it");
       }
@@ -128,13 +142,13 @@ class SessionReader {
   void checkShowing(const RatingStudy& study, std::size_t line, std::size_t place, const Showing& showing) const {
     const Cells& cells = lines_[line];
     const RatedModel& model = study.models[showing.model];
-    for (const Column column : {Seed, Repeats, Question}) {
+    for (const RatingColumn column : {kSeed, kRepeats, kQuestion}) {
       if (cells[column] != lines_[1][column]) {
         refuse(line, "differs from the lines before in " + std::string(kNames[column]));
       }
     }
     const Cells expected{std::to_string(place + 1), model.id, model.method, model.subject, showing.counts ? "1" : "0"};
-    if (!std::equal(expected.begin(), expected.end(), cells.begin() + Place) || cells[Grade] != model.grade) {
+    if (!std::equal(expected.begin(), expected.end(), cells.begin() + kPlace) || cells[kGrade] != model.grade) {
       refuse(line, "does not hold the model that its seed gives");
     }
   }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t kLeafTriangles = 4;
 constexpr std::size_t kBlock = 2048;
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kNoTriangle = static_cast<std::size_t>(-1);
 
 double squaredToSegment(const Vec3& point, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -141,7 +141,7 @@ double MeshDistance::squaredTo(const Vec3& point, std::size_t& triangle) const {
   const auto squaredToNumber = [&](std::size_t t) {
     return squaredToTriangle(point, corners_[3 * t], corners_[3 * t + 1], corners_[3 * t + 2]);
   };
-  double best = triangle == kNone ? std::numeric_limits<double>::infinity() : squaredToNumber(triangle);
+  double best = triangle == kNoTriangle ? std::numeric_limits<double>::infinity() : squaredToNumber(triangle);
   while (top > 0) {
     const Visit visit = stack[--top];
     if (visit.squared >= best) {
@@ -174,7 +174,7 @@ double MeshDistance::squaredTo(const Vec3& point, std::size_t& triangle) const {
 }
 
 double MeshDistance::to(const Vec3& point) const {
-  std::size_t triangle = kNone;
+  std::size_t triangle = kNoTriangle;
   return std::sqrt(squaredTo(point, triangle));
 }
 
@@ -185,7 +185,7 @@ std::vector<double> MeshDistance::to(std::span<const Vec3> points, const Executi
   parallelFor(blocks, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) {
       context.throwIfCancelled();
-      std::size_t triangle = kNone;
+      std::size_t triangle = kNoTriangle;
       for (std::size_t i = block * kBlock; i < std::min(points.size(), (block + 1) * kBlock); ++i) {
         distances[i] = std::sqrt(squaredTo(points[i], triangle));
       }

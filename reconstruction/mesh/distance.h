@@ -38,7 +38,7 @@ class MeshDistance {
     std::uint32_t first = 0;  ///< leaf: first corner triple; inner node: the right child (the left one follows its parent)
     std::uint32_t count = 0;  ///< triangles of a leaf; 0 in an inner node
   };
-  /// The squared distance and in `triangle` the number of the nearest one; there the one to begin with, or kNone.
+  /// The squared distance and in `triangle` the number of the nearest one; there the one to begin with, or kNoTriangle.
   [[nodiscard]] double squaredTo(const Vec3& point, std::size_t& triangle) const;
   std::uint32_t build(std::vector<std::uint32_t>& order, const std::vector<Vec3>& centres, const SurfaceMesh& mesh,
                       std::uint32_t begin, std::uint32_t end, const ExecutionContext& context);

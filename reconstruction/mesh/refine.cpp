@@ -26,8 +26,8 @@ void splitMarked(SurfaceMesh& mesh, const std::map<Edge, std::uint32_t>& middles
   std::vector<Triangle> split;
   split.reserve(mesh.triangles.size() + 2 * middles.size());
   for (const Triangle& t : mesh.triangles) {
-    constexpr auto kNone = static_cast<std::uint32_t>(-1);
-    std::array<std::uint32_t, 3> middle{kNone, kNone, kNone};  // of the side from corner n to the next
+    constexpr auto kNotMade = static_cast<std::uint32_t>(-1);
+    std::array<std::uint32_t, 3> middle{kNotMade, kNotMade, kNotMade};  // of the side from corner n to the next
     std::size_t count = 0;
     for (std::size_t n = 0; n < 3; ++n) {
       const auto found = middles.find(edgeOf(t[n], t[(n + 1) % 3]));
@@ -49,7 +49,7 @@ void splitMarked(SurfaceMesh& mesh, const std::map<Edge, std::uint32_t>& middles
     }
     // Turned so that the first side is split and, of two, the last one is not.
     std::size_t n = 0;
-    while (middle[n] == kNone || (count == 2 && middle[(n + 2) % 3] != kNone)) {
+    while (middle[n] == kNotMade || (count == 2 && middle[(n + 2) % 3] != kNotMade)) {
       ++n;
     }
     const std::uint32_t a = t[n];

@@ -1,22 +1,18 @@
 // MPU implicits of a mask's boundary samples: quadrics in the cells of an octree, blended (mpu/).
-#include <chrono>
 #include <cmath>
 
 #include "reconstruction/methods/method.h"
 #include "reconstruction/methods/mpu/surface.h"
 #include "reconstruction/poisson/frame.h"
+#include "reconstruction/stopwatch.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Of the cells that carry the surface, where the label carries it.
 constexpr int kUsualDepth = 7;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// The diagonal of the samples' box, of which the tolerance is a share.
 double diagonalOf(const OrientedPoints& points) {
@@ -32,7 +28,7 @@ double diagonalOf(const OrientedPoints& points) {
 /// `tolerance` is the paper's eps0, of the diagonal. The polygons are those of a PSR model of `depth`: of the same cube and cells.
 MethodSurface reconstructWithin(double tolerance, int depth, const MethodInput& input, const ExecutionContext& context) {
   MethodSurface surface;
-  auto start = Clock::now();
+  Stopwatch stopwatch;
   context.report(0.0, "sample");
   const OrientedPoints points = sampleBoundary(input.mask, input.geometry, input.sampling, context);
   const poisson::Frame frame =
@@ -40,16 +36,16 @@ MethodSurface reconstructWithin(double tolerance, int depth, const MethodInput& 
   const mpu::Cube cube{frame.corner, frame.cellMm * (1 << frame.depth)};
   surface.cellMm = frame.cellMm;
   surface.usedDepth = frame.depth;
-  surface.sampleSeconds = secondsSince(start);
+  surface.sampleSeconds = stopwatch.seconds();
 
-  start = Clock::now();
+  stopwatch.restart();
   const double widest = input.geometry.spacing.maxCoeff();
   const std::vector<mpu::Patch> patches =
       mpu::fitPatches(points.positions, points.normals, cube,
                       {.toleranceMm = tolerance * diagonalOf(points), .leastSideMm = widest}, context.range(0.1, 0.7));
-  surface.solveSeconds = secondsSince(start);
+  surface.solveSeconds = stopwatch.seconds();
 
-  start = Clock::now();
+  stopwatch.restart();
   context.report(0.7, "extract");
   const auto isInside = [&](const Vec3& at) {
     const Vec3 index = input.geometry.toIndex(at);
@@ -58,7 +54,7 @@ MethodSurface reconstructWithin(double tolerance, int depth, const MethodInput& 
   };
   surface.mesh = mpu::polygonise(patches, points.positions, cube, {.depth = frame.depth, .bandMm = widest + 2 * frame.cellMm},
                                  isInside, context.range(0.7, 1.0));
-  surface.extractSeconds = secondsSince(start);
+  surface.extractSeconds = stopwatch.seconds();
   return surface;
 }
 

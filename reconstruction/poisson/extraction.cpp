@@ -11,7 +11,7 @@ namespace glisson::poisson {
 
 namespace {
 
-constexpr std::size_t kGrain = 32;
+constexpr std::size_t kBlocksAPiece = 32;
 constexpr double kNearest = 1e-3;           // of a cell: keeps vertices off the nodes, so that no triangle collapses
 constexpr std::size_t kNodes = kBlock + 1;  // nodes 0..8 of a block's cells along a side
 constexpr unsigned kAllNodes = (1U << kNodes) - 1;
@@ -114,7 +114,7 @@ void countSurface(const MarchingCases& cases, SurfaceBlock& block) {
 void findSurface(const std::vector<Level>& levels, float iso, std::size_t first, const MarchingCases& cases, SurfaceBlocks& blocks,
                  const ExecutionContext& context) {
   blocks.resize(levels.back().grid.blockCount());
-  parallelFor(blocks.size() - first, kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(blocks.size() - first, kBlocksAPiece, [&](std::size_t begin, std::size_t end) {
     context.throwIfCancelled();
     for (std::size_t slot = first + begin; slot < first + end; ++slot) {
       Halo halo;
@@ -287,7 +287,7 @@ SurfaceMesh extractSurface(std::vector<Level>& levels, float iso, const Vec3& co
   mesh.vertices.resize(vertices);
   mesh.triangles.resize(triangles);
   const SurfaceWriter writer(levels, blocks, cases, iso, corner, cellMm, mesh);
-  parallelFor(slots.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(slots.size(), kBlocksAPiece, [&](std::size_t begin, std::size_t end) {
     context.throwIfCancelled();
     for (std::size_t n = begin; n < end; ++n) {
       writer.writeVertices(slots[n]);

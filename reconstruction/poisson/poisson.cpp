@@ -2,7 +2,6 @@
 // their own: samples, frame, splatting (density), hierarchy, solve (operators), iso_value, extraction; this one runs them.
 #include "reconstruction/poisson/poisson.h"
 
-#include <chrono>
 #include <map>
 #include <stdexcept>
 
@@ -13,15 +12,12 @@
 #include "reconstruction/poisson/iso_value.h"
 #include "reconstruction/poisson/solve.h"
 #include "reconstruction/poisson/support.h"
+#include "reconstruction/stopwatch.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 poisson::CubeSamples cubeSamplesOf(const OrientedPoints& points, const ImageGeometry& geometry, Sampling sampling,
                                    const poisson::Frame& frame, const ExecutionContext& context) {
@@ -55,15 +51,15 @@ PoissonResult reconstructPoisson(const OrientedPoints& points, const ImageGeomet
                                  const ExecutionContext& context) {
   parameters.validate();
   PoissonResult result;
-  auto start = Clock::now();
+  Stopwatch stopwatch;
   const poisson::Frame frame = poisson::chooseFrame(points, geometry, parameters);
   const auto samples = cubeSamplesOf(points, geometry, parameters.sampling, frame, context);
   result.samples = points.positions.size();
   result.usedDepth = frame.depth;
   result.cellMm = frame.cellMm;
-  result.sampleSeconds = secondsSince(start);
+  result.sampleSeconds = stopwatch.seconds();
 
-  start = Clock::now();
+  stopwatch.restart();
   context.report(0.1, "solve");
   poisson::HierarchyOptions options;
   options.kernelLevel = frame.kernelLevel;
@@ -74,16 +70,16 @@ PoissonResult reconstructPoisson(const OrientedPoints& points, const ImageGeomet
   poisson::makeRightHandSides(samples, options, levels, context);
   poisson::solveLevels(samples, options, levels, context.range(0.2, 0.8));
   const float iso = poisson::isoValue(samples, levels.back(), context);
-  result.solveSeconds = secondsSince(start);
+  result.solveSeconds = stopwatch.seconds();
 
-  start = Clock::now();
+  stopwatch.restart();
   context.report(0.8, "extract");
   result.mesh = poisson::extractSurface(levels, iso, frame.corner, frame.cellMm, context);
   if (parameters.sampling == Sampling::Paper && frame.hasEmptyCells()) {
     levels = {};  // their memory is needed no longer
     poisson::coarsenUnsupported(samples, frame.corner, frame.cellMm, result.mesh, context);
   }
-  result.extractSeconds = secondsSince(start);
+  result.extractSeconds = stopwatch.seconds();
   context.report(1.0, "extract");
   return result;
 }
@@ -105,13 +101,13 @@ void reconstructPoissonEach(const Mask& mask, const ImageGeometry& geometry, std
   for (std::size_t n = 0; n < sets.size(); ++n) {
     const double to = from + costOf(sets[n]) / whole;
     const ExecutionContext part = context.range(from, to);
-    const auto start = Clock::now();
+    const Stopwatch stopwatch;
     part.report(0.0, "sample");
     auto found = sampled.find(sets[n].sampling);
     if (found == sampled.end()) {
       found = sampled.emplace(sets[n].sampling, sampleBoundary(mask, geometry, sets[n].sampling, part)).first;
     }
-    const double sampleSeconds = secondsSince(start);
+    const double sampleSeconds = stopwatch.seconds();
     PoissonResult result = reconstructPoisson(found->second, geometry, sets[n], part.range(kSampled, kSolved));
     result.sampleSeconds += sampleSeconds;
     finished(n, std::move(result), part);

@@ -130,8 +130,8 @@ struct Surroundings {
 
   /// Puts the triangles into the cells and finds the vertices in cells without samples.
   void lookAround(const ExecutionContext& context) {
-    constexpr std::size_t kGrain = 8192;
-    parallelFor(mesh.triangles.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t kTrianglesAPiece = 8192;
+    parallelFor(mesh.triangles.size(), kTrianglesAPiece, [&](std::size_t begin, std::size_t end) {
       context.throwIfCancelled();
       for (std::size_t t = begin; t < end; ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
@@ -139,7 +139,7 @@ struct Surroundings {
       }
     });
     free.resize(mesh.vertices.size());
-    parallelFor(free.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelFor(free.size(), kTrianglesAPiece, [&](std::size_t begin, std::size_t end) {
       context.throwIfCancelled();
       for (std::size_t v = begin; v < end; ++v) {
         free[v] = (cells.at(cells.of(mesh.vertices[v])) & kSampled) == 0 ? 1 : 0;

@@ -1,10 +1,10 @@
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "reconstruction/sample/gzip_file.h"
 #include "reconstruction/sample/sample_patient.h"
 #include "reconstruction/sample/volume_writers.h"
@@ -38,10 +38,10 @@ class DraftFolder {
   fs::path path_;
 };
 
-nlohmann::ordered_json pointJson(const Vec3& p) { return {p[0], p[1], p[2]}; }
+Json pointJson(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
-nlohmann::ordered_json pointsJson(const std::vector<Vec3>& points) {
-  auto list = nlohmann::ordered_json::array();
+Json pointsJson(const std::vector<Vec3>& points) {
+  auto list = Json::array();
   for (const Vec3& p : points) {
     list.push_back(pointJson(p));
   }
@@ -51,7 +51,7 @@ nlohmann::ordered_json pointsJson(const std::vector<Vec3>& points) {
 std::string truthText(const SamplePatient& patient) {
   const SampleTruth& truth = patient.truth;
   const ImageGeometry& geometry = patient.ct.geometry;
-  nlohmann::ordered_json json;
+  Json json;
   json["frame"] = "LPS";
   json["sizeVoxels"] = geometry.size;
   json["spacingMm"] = pointJson(geometry.spacing);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <random>
 
 #include "planning/case/case.h"
 
@@ -40,6 +41,15 @@ inline Inside ball(const Vec3& centre, double radius) {
 inline Inside tube(const Vec3& point, const Vec3& axis, double radius) {
   const Vec3 unit = axis.normalized();
   return [=](const Vec3& p) { return ((p - point) - unit * unit.dot(p - point)).norm() <= radius; };
+}
+
+inline Inside box(const Vec3& low, const Vec3& high) {
+  return [=](const Vec3& p) { return (p - low).minCoeff() > 0 && (high - p).minCoeff() > 0; };
+}
+
+inline Vec3 randomDirection(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return Vec3(normal(random), normal(random), normal(random)).normalized();
 }
 
 struct Body {

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "tests/viewer/bodies.h"
+#include "tests/viewer/colour_difference.h"
 #include "tests/viewer/kept_picture.h"
 #include "viewer/bend_handles.h"
 #include "viewer/model_view.h"
@@ -19,6 +20,8 @@
 
 namespace glisson {
 namespace {
+
+using test::isWarm;
 
 /// Through the origin, resected to the patient's left; towards the head bowed 40 mm to the right, towards the feet to the left.
 ResectionPlane steep() {
@@ -37,8 +40,6 @@ std::shared_ptr<LiverModel> liverOf(double opacity) {
                                               test::sphere({0, 0, 0}, test::kLiverRadii, 40)));
   return model;
 }
-
-bool isWarm(const QColor& c) { return c.red() > c.blue() + 25; }
 
 class BentViewTest : public testing::Test {
  protected:

@@ -1,5 +1,5 @@
 #pragma once
-// Purpose: how far apart two colours are seen.
+// Purpose: how colours are told apart.
 
 #include <QColor>
 #include <cmath>
@@ -26,5 +26,8 @@ inline double colourDifference(const QColor& a, const QColor& b, bool deuteranop
   };
   return (lab(a) - lab(b)).norm();
 }
+
+/// Redder than blue: liver, tumours and what is too near, rather than the background and the planes.
+inline bool isWarm(const QColor& c) { return c.red() > c.blue() + 25; }
 
 }  // namespace glisson::test

@@ -17,6 +17,7 @@
 
 #include "planning/resection/place_plane.h"
 #include "tests/viewer/bodies.h"
+#include "tests/viewer/colour_difference.h"
 #include "tests/viewer/kept_picture.h"
 #include "viewer/plane_handles.h"
 #include "viewer/resectogram.h"
@@ -25,6 +26,7 @@ namespace glisson {
 namespace {
 
 using test::asymmetricModel;
+using test::isWarm;
 
 /// Mean position (0..1, from left and from top) of the pixels that satisfy a rule, and their number.
 struct Spot {
@@ -57,8 +59,6 @@ Spot spotOf(const QImage& image, Rule&& rule) {
 
 bool isGreen(const QColor& c) { return c.green() > 80 && c.red() < c.green() / 2 && c.blue() < c.green() / 2; }
 bool isBlue(const QColor& c) { return c.blue() > 80 && c.red() < c.blue() / 2 && c.green() < c.blue() / 2; }
-bool isWarm(const QColor& c) { return c.red() > c.blue() + 25; }
-
 class ModelViewTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -8,7 +8,6 @@
 namespace glisson::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Texts = std::vector<std::string>;
 namespace fs = std::filesystem;
 

@@ -9,7 +9,6 @@
 namespace glisson::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Keys = std::vector<std::string>;
 namespace fs = std::filesystem;
 

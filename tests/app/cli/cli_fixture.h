@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "reconstruction/json.h"
 #include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 
@@ -56,7 +56,7 @@ inline void expectRefusal(const Finished& finished, int exitCode, const std::str
   EXPECT_NE(finished.err.find(words), std::string::npos) << finished.err;
 }
 
-inline std::vector<std::string> keysOf(const nlohmann::ordered_json& json) {
+inline std::vector<std::string> keysOf(const Json& json) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) {
     keys.push_back(key);

@@ -5,7 +5,6 @@
 namespace glisson::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Keys = std::vector<std::string>;
 
 /// A plane through the middle of the liver, resecting the left side (+x), from the case's parenchyma.

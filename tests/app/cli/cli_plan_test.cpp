@@ -7,7 +7,6 @@
 namespace glisson::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Keys = std::vector<std::string>;
 
 class CliPlanning : public testing::Test {

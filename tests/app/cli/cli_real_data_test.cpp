@@ -13,8 +13,6 @@
 namespace glisson::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 #define REQUIRE_DATA(path)                   \
   if (!std::filesystem::exists(path)) {      \
     GTEST_SKIP() << "skipped: no real data"; \

@@ -8,7 +8,6 @@
 namespace glisson::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Keys = std::vector<std::string>;
 
 std::vector<std::string> mcsd(const std::string& segmentation, const std::vector<std::string>& more) {

@@ -6,7 +6,6 @@
 namespace glisson::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Keys = std::vector<std::string>;
 
 TEST(CliUsage, HelpAndVersionAreNoFailure) {

@@ -51,7 +51,7 @@ inline std::string csvWithoutTimes(const std::filesystem::path& file, const std:
 }
 
 inline std::string jsonWithoutTimes(const std::filesystem::path& file) {
-  auto json = nlohmann::ordered_json::parse(bytesOf(file));
+  auto json = Json::parse(bytesOf(file));
   EXPECT_EQ(json.erase("seconds"), 1U);
   return json.dump();
 }

@@ -33,7 +33,7 @@ TEST(ParametersJson, EverySetOfParametersComesBackAsItWas) {
   sets.push_back(listed);
   for (const ReconstructionParameters& p : sets) {
     // As text, since that is what a case file holds.
-    const auto back = parametersFromJson(nlohmann::ordered_json::parse(parametersJson(p).dump()));
+    const auto back = parametersFromJson(Json::parse(parametersJson(p).dump()));
     EXPECT_EQ(back.describe(), p.describe());
     EXPECT_EQ(back.autoDepth, p.autoDepth);
     EXPECT_EQ(back.mcsd.decimation, p.mcsd.decimation);
@@ -65,7 +65,7 @@ TEST(ParametersJson, ADepthThatIsNoneIsRefused) {
   json["depth"] = 0;
   EXPECT_THROW(parametersFromJson(json), UsageError);
   json["depth"] = "deep";
-  EXPECT_THROW(parametersFromJson(json), nlohmann::json::exception);
+  EXPECT_THROW(parametersFromJson(json), Json::exception);
 }
 
 }  // namespace

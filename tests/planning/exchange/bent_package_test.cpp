@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "planning/exchange/atomic_file.h"
 #include "planning/exchange/mesh_files.h"
 #include "planning/exchange/package.h"
 #include "planning/volumetry/assessment.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "reconstruction/mesh/self_intersection.h"
 #include "tests/planning/exchange/scratch.h"
 #include "tests/planning/exchange/synthetic_case.h"
@@ -21,8 +20,6 @@ using test::kLiverRadiusMm;
 using test::Scratch;
 using test::stamped;
 using test::syntheticCase;
-using Json = nlohmann::json;
-
 /// The tumour's side, the plane bowed by up to 12 mm and skewed.
 ResectionPlane bowed(const HalfSpace& plane) {
   ResectionPlane bent(plane, flatBend(plane, 45));

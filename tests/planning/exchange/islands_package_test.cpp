@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "planning/exchange/mesh_files.h"
 #include "planning/exchange/package.h"
@@ -11,6 +10,7 @@
 #include "planning/resection/plan_edit.h"
 #include "planning/volumetry/assessment.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "tests/planning/exchange/bodies.h"
 #include "tests/planning/exchange/scratch.h"
 #include "tests/planning/voxel_bodies.h"
@@ -18,8 +18,6 @@
 namespace glisson {
 namespace {
 using namespace test;
-using Json = nlohmann::json;
-
 Inside box(const Vec3& low, const Vec3& high) {
   return [=](const Vec3& p) { return (p.array() > low.array()).all() && (p.array() < high.array()).all(); };
 }

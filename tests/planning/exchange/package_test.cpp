@@ -9,7 +9,6 @@
 
 #include <csignal>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "planning/exchange/atomic_file.h"
 #include "planning/exchange/glb_reader.h"
@@ -18,6 +17,7 @@
 #include "planning/exchange/version.h"
 #include "planning/storage/sha256.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "reconstruction/parallel.h"
 #include "tests/planning/exchange/scratch.h"
 #include "tests/planning/exchange/synthetic_case.h"
@@ -29,8 +29,6 @@ namespace {
 using test::Scratch;
 using test::stamped;
 using test::syntheticCase;
-using Json = nlohmann::json;
-
 template <typename Refusal>
 std::string messageOf(const Case& source, const std::filesystem::path& directory, const ExportOptions& options) {
   try {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "tests/planning/voxel_bodies.h"
 
 namespace glisson {
@@ -143,8 +143,8 @@ TEST_F(ComparePlans, EqualPlansAreAlikeAndOneWithoutVolumesHasNone) {
 
 TEST_F(ComparePlans, JsonHoldsTheTable) {
   const std::vector<AssessedPlan> plans{assessed(at("A", 30)), assessed(at("Beside", 300))};
-  const auto json = nlohmann::ordered_json::parse(toJson(comparePlans(plans), differenceOf(plans[0], plans[1])));
-  EXPECT_EQ(json["plans"], (nlohmann::ordered_json{"A", "Beside"}));
+  const auto json = Json::parse(toJson(comparePlans(plans), differenceOf(plans[0], plans[1])));
+  EXPECT_EQ(json["plans"], (Json{"A", "Beside"}));
   EXPECT_EQ(json["rows"][3]["row"], "resectedMl");
   EXPECT_TRUE(json["rows"][3]["values"][1].is_null());
   EXPECT_FALSE(json["differences"].empty());

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 
 namespace glisson {
 namespace {
@@ -37,8 +37,7 @@ std::vector<std::string> shown(const FlrCard& card) {
   std::vector<std::string> lines;
   for (const FlrRatio& ratio : card.ratios) {
     for (const FlrThreshold& threshold : ratio.thresholds) {
-      lines.push_back(std::string(idOf(ratio.kind)) + " " + std::string(threshold.citation) + " " +
-                      nlohmann::json(threshold.value).dump());
+      lines.push_back(std::string(idOf(ratio.kind)) + " " + std::string(threshold.citation) + " " + Json(threshold.value).dump());
     }
   }
   return lines;
@@ -169,15 +168,14 @@ TEST(FlrCard, FactsThatAreNoNumbersAreRefused) {
 }
 
 TEST(FlrCard, JsonShowsNullForWhatIsNotKnown) {
-  const auto json = nlohmann::ordered_json::parse(toJson(flrCard({std::nullopt, 70, std::nullopt, std::nullopt}, remnantOf(450))));
+  const auto json = Json::parse(toJson(flrCard({std::nullopt, 70, std::nullopt, std::nullopt}, remnantOf(450))));
   EXPECT_TRUE(json["heightCm"].is_null());
   EXPECT_EQ(json["weightKg"], 70);
   EXPECT_TRUE(json["slvUrataMl"].is_null());
   EXPECT_EQ(json["ratios"].size(), 2U);
-  EXPECT_EQ(json["ratios"][0]["thresholds"], nlohmann::ordered_json::array());
-  const auto full = nlohmann::ordered_json::parse(toJson(flrCard(kNormal, remnantOf(450))));
-  EXPECT_EQ(full["ratios"][2]["thresholds"][0],
-            (nlohmann::ordered_json{{"value", 20.0}, {"citation", "Kishi 2009"}, {"condition", "normal"}}));
+  EXPECT_EQ(json["ratios"][0]["thresholds"], Json::array());
+  const auto full = Json::parse(toJson(flrCard(kNormal, remnantOf(450))));
+  EXPECT_EQ(full["ratios"][2]["thresholds"][0], (Json{{"value", 20.0}, {"citation", "Kishi 2009"}, {"condition", "normal"}}));
 }
 
 }  // namespace

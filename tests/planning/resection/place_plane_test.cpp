@@ -4,15 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 #include <random>
 
+#include "planning/infinity.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double heightOver(const HalfSpace& plane, const Vec3& p) { return plane.normal.dot(p - plane.origin); }
 

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +15,7 @@
 
 #include "reconstruction/errors.h"
 #include "reconstruction/file_lock.h"
+#include "tests/planning/storage/run_sql.h"
 #include "tests/planning/voxel_bodies.h"
 
 namespace glisson {
@@ -47,13 +47,6 @@ std::vector<char> contentOf(const fs::path& path) {
 
 void writeContent(const fs::path& path, const std::vector<char>& content) {
   std::ofstream(path, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
-}
-
-void runSql(const fs::path& path, const char* sql) {
-  sqlite3* handle = nullptr;
-  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(handle);
-  sqlite3_close(handle);
 }
 
 std::string refusalOf(const std::function<void()>& work) {

@@ -10,6 +10,7 @@
 #include "planning/storage/case_json.h"
 #include "reconstruction/errors.h"
 #include "tests/planning/exchange/scratch.h"
+#include "tests/planning/storage/run_sql.h"
 #include "tests/planning/voxel_bodies.h"
 
 namespace glisson {
@@ -27,13 +28,6 @@ const PatientFacts kFacts{170, 70.5, LiverCondition::Injured, TumourType::Hepato
 ResectionPlan planAt(double x) { return {"Plan 1", {{"Resection 1", {{Vec3(x, 0, 0), Vec3::UnitX()}}}}, 10}; }
 
 constexpr std::int64_t kNewest = 3;
-
-void runSql(const fs::path& path, const char* sql) {
-  sqlite3* handle = nullptr;
-  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(handle);
-  sqlite3_close(handle);
-}
 
 std::int64_t versionOf(const fs::path& path) {
   sqlite3* handle = nullptr;
@@ -222,7 +216,7 @@ TEST(CasePatient, RecordThatDoesNotFitIsRefused) {
   const fs::path file = scratch.path / "a.glisson";
   { CaseFile::create(file, ballCase()).storePatient(kFacts); }
   for (const char* wrong : {"{}", "7", "no json", R"({"heightCm":-1,"weightKg":null,"condition":null,"tumourType":null})"}) {
-    runSql(file, ("UPDATE history SET patient_after = '" + std::string(wrong) + "'").c_str());
+    runSql(file, "UPDATE history SET patient_after = '" + std::string(wrong) + "'");
     EXPECT_THROW((void)CaseFile::open(file).history(), InputError) << wrong;
   }
 }
@@ -349,8 +343,8 @@ TEST(CaseVersions, BendsThatAreNoneAreRefusedWithASentence) {
            bend + "}]}]}]";
   };
   const std::string heights = "[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]";
-  EXPECT_NO_THROW((void)caseJson::toPlans(
-      nlohmann::ordered_json::parse(stored(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0,"heightsMm":)" + heights + "}"))));
+  EXPECT_NO_THROW(
+      (void)caseJson::toPlans(Json::parse(stored(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0,"heightsMm":)" + heights + "}"))));
   for (const std::string& hostile :
        {R"({"u":[0.0,1.0,0.0],"halfSizeMm":0.0,"heightsMm":)" + heights + "}",
         R"({"u":[0.0,1.0,0.0],"halfSizeMm":null,"heightsMm":)" + heights + "}",
@@ -361,7 +355,7 @@ TEST(CaseVersions, BendsThatAreNoneAreRefusedWithASentence) {
         std::string(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0,"heightsMm":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1e9]})"),
         std::string(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0,"heightsMm":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,"a"]})"),
         std::string(R"({"u":[0.0,1.0,0.0],"halfSizeMm":50.0})"), std::string("[]"), std::string("3")}) {
-    EXPECT_THROW((void)caseJson::toPlans(nlohmann::ordered_json::parse(stored(hostile))), std::exception) << hostile;
+    EXPECT_THROW((void)caseJson::toPlans(Json::parse(stored(hostile))), std::exception) << hostile;
   }
 }
 

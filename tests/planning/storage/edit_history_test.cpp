@@ -1,7 +1,6 @@
 // Edits of every kind in the case file: their undo records come back, are copied, and survive what they do not know.
 
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +11,7 @@
 #include "planning/storage/surface_hash.h"
 #include "reconstruction/errors.h"
 #include "tests/planning/exchange/scratch.h"
+#include "tests/planning/storage/run_sql.h"
 #include "tests/planning/voxel_bodies.h"
 
 namespace glisson {
@@ -46,13 +46,6 @@ std::shared_ptr<const LiverModel> with(const LiverModel& model, const std::strin
   Structure structure = *model.find(id);
   change(structure);
   return withStructure(model, structure);
-}
-
-void runSql(const fs::path& path, const char* sql) {
-  sqlite3* handle = nullptr;
-  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(handle);
-  sqlite3_close(handle);
 }
 
 class EditHistoryTest : public testing::Test {
@@ -165,7 +158,7 @@ TEST_F(EditHistoryTest, RecordsThatDoNotFitAreRefusedWithASentence) {
     for (const char* wrong : {"{}", "7", "no json", "[{\"id\":7}]", "[]", "{\"proposed\":true,\"marks\":[{\"name\":\"\"}]}"}) {
       fs::remove(file());
       editAll();
-      runSql(file(), ("UPDATE history SET " + std::string(column) + " = '" + wrong + "' WHERE " + column + " IS NOT NULL").c_str());
+      runSql(file(), "UPDATE history SET " + std::string(column) + " = '" + wrong + "' WHERE " + column + " IS NOT NULL");
       EXPECT_THROW((void)CaseFile::open(file()).history(), InputError) << column << " " << wrong;
     }
   }

@@ -3,7 +3,6 @@
 #include "planning/storage/embedded_ct.h"
 
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 #include <fstream>
 #include <random>
@@ -14,6 +13,7 @@
 #include "planning/storage/table_access.h"
 #include "reconstruction/errors.h"
 #include "tests/planning/exchange/scratch.h"
+#include "tests/planning/storage/run_sql.h"
 #include "tests/planning/voxel_bodies.h"
 
 namespace glisson {
@@ -36,13 +36,6 @@ Case caseWithCt() {
   ct->hounsfield.back() = -32768;
   ct->source = "/nowhere/ct.nii.gz";
   return newCase(ct, segmentationOf(g, {{"liver", StructureKind::Liver, ball(g.toWorld(Vec3(250, 250, 10)), 15)}}));
-}
-
-void runSql(const fs::path& path, const std::string& sql) {
-  sqlite3* handle = nullptr;
-  ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(handle);
-  sqlite3_close(handle);
 }
 
 std::string refusalOf(const fs::path& file) {
@@ -187,7 +180,7 @@ TEST(EmbeddedCt, OfLargerPartsThanTheProgramMakesIsRefused) {
   {
     const std::span<const std::int16_t> voxels(source.ct->hounsfield);
     const Database database(file, Database::Mode::ReadWrite);
-    auto json = nlohmann::ordered_json::parse(caseTables::documentText(database, "ct"));
+    auto json = Json::parse(caseTables::documentText(database, "ct"));
     EXPECT_EQ(json["slicesPerPart"], 8);
     json["slicesPerPart"] = 20;
     json["sha256"] = std::vector<std::string>{sha256Hex(std::as_bytes(voxels))};

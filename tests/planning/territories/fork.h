@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "planning/territories/vessel_graph.h"
 #include "tests/planning/voxel_bodies.h"
 
 namespace glisson::test {
@@ -21,10 +22,6 @@ inline Inside anyOf(std::vector<Inside> parts) {
   return [parts = std::move(parts)](const Vec3& p) {
     return std::any_of(parts.begin(), parts.end(), [&](const Inside& part) { return part(p); });
   };
-}
-
-inline Inside block(const Vec3& low, const Vec3& high) {
-  return [=](const Vec3& p) { return (p - low).minCoeff() > 0 && (high - p).minCoeff() > 0; };
 }
 
 /// The fork's liver: x -40..40, y -20..20, z -20..40. Portal arms at x = -10 and x = 20 (y = -10), fed from below; hepatic veins at
@@ -60,9 +57,14 @@ inline Case forkCase(const Vec3& spacing, const Eigen::Isometry3d& place = Eigen
   g.origin = direction * (middle - half + 0.5 * spacing);
   const Eigen::Isometry3d back = place.inverse();
   const auto moved = [back](const Inside& inside) -> Inside { return [=](const Vec3& p) { return inside(back * p); }; };
-  return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, moved(block(kForkLow, kForkHigh))},
+  return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, moved(box(kForkLow, kForkHigh))},
                                              {"portal vein", StructureKind::PortalVein, moved(forkPortal())},
                                              {"hepatic veins", StructureKind::HepaticVein, moved(forkVeins())}}));
+}
+
+/// The graph of a fork's portal vein.
+inline VesselGraph portalOf(const Case& source) {
+  return vesselGraphOf(VesselSystem::Portal, *source.segmentation->structures[1].mask, source.liver->geometry, source.liver->liver);
 }
 
 /// The fork where it stands, on voxels of 1 mm.

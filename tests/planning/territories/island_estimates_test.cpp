@@ -17,14 +17,14 @@ using namespace test;
 const Case& archLiver() {
   static const Case arch = [] {
     const ImageGeometry g = gridOf({90, 34, 48}, Vec3(0.8, 0.9, 2), Vec3(-5, -5, -35));
-    const Inside liver = anyOf({block({0, 0, 0}, {60, 20, 15}), block({0, 0, 0}, {12, 20, 55}), block({48, 0, 0}, {60, 20, 45})});
+    const Inside liver = anyOf({box({0, 0, 0}, {60, 20, 15}), box({0, 0, 0}, {12, 20, 55}), box({48, 0, 0}, {60, 20, 45})});
     const Inside portal = anyOf({rod({30, 6, -30}, {30, 6, 4}, 3), rod({5, 6, 4}, {55, 6, 4}, 2), rod({5, 6, 4}, {5, 6, 50}, 2),
                                  rod({55, 6, 4}, {55, 6, 40}, 2)});
     const Inside vein = anyOf({rod({54, 14, 4}, {54, 14, 58}, 2), rod({20, 14, 4}, {54, 14, 4}, 2)});
     return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, liver},
                                                {"portal vein", StructureKind::PortalVein, portal},
                                                {"hepatic vein", StructureKind::HepaticVein, vein},
-                                               {"tumour", StructureKind::Tumour, block({49, 10, 32}, {53, 17, 40})}}));
+                                               {"tumour", StructureKind::Tumour, box({49, 10, 32}, {53, 17, 40})}}));
   }();
   return arch;
 }

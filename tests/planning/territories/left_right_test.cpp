@@ -8,10 +8,6 @@ namespace glisson {
 namespace {
 using namespace test;
 
-VesselGraph portalOf(const Case& source) {
-  return vesselGraphOf(VesselSystem::Portal, *source.segmentation->structures[1].mask, source.liver->geometry, source.liver->liver);
-}
-
 double endX(const VesselGraph& graph, std::int32_t branch) {
   return graph.branches[static_cast<std::size_t>(branch)].lineMm.back().x();
 }
@@ -28,7 +24,7 @@ VesselGraph portalWith(const std::vector<Arm>& arms) {
     parts.push_back(rod({arm.x, 0, arm.leavesAt}, {arm.x, 0, 34}, 2.5));
   }
   const ImageGeometry g = gridOf({100, 44, 150}, Vec3(1, 1, 1), Vec3(-49.5, -21.5, -106.5));
-  return vesselGraphOf(VesselSystem::Portal, *voxelised(g, anyOf(parts)), g, *voxelised(g, block(kForkLow, kForkHigh)));
+  return vesselGraphOf(VesselSystem::Portal, *voxelised(g, anyOf(parts)), g, *voxelised(g, box(kForkLow, kForkHigh)));
 }
 
 TEST(LeftAndRight, AreProposedByThePatientsSidesAndNotConfirmed) {
@@ -88,7 +84,7 @@ TEST(LeftAndRight, SideBranchesThatNeverEnterTheLiverOwnNothing) {
   const ImageGeometry g = gridOf({100, 44, 150}, Vec3(1, 1, 1), Vec3(-49.5, -21.5, -106.5));
   const auto portal =
       voxelised(g, anyOf({forkPortal(), rod({5, -10, -56}, {45, -10, -60}, 4), rod({45, -10, -60}, {45, 15, -90}, 4)}));
-  const VesselGraph graph = vesselGraphOf(VesselSystem::Portal, *portal, g, *voxelised(g, block(kForkLow, kForkHigh)));
+  const VesselGraph graph = vesselGraphOf(VesselSystem::Portal, *portal, g, *voxelised(g, box(kForkLow, kForkHigh)));
   const TerritoryChoice choice = proposeLeftRight(graph);
   ASSERT_EQ(choice.picks.size(), 2U);
   EXPECT_NEAR(endX(graph, choice.picks[0].branches.at(0)), 20, 1.5);

@@ -10,10 +10,6 @@ namespace glisson {
 namespace {
 using namespace test;
 
-VesselGraph portalOf(const Case& source) {
-  return vesselGraphOf(VesselSystem::Portal, *source.segmentation->structures[1].mask, source.liver->geometry, source.liver->liver);
-}
-
 bool sameBranches(const TerritoryChoice& a, const TerritoryChoice& b) {
   return std::ranges::equal(a.picks, b.picks, [](const TerritoryPick& p, const TerritoryPick& q) {
     return p.name == q.name && p.branches == q.branches;

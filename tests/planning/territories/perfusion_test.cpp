@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "fork.h"
 #include "planning/territories/territory_json.h"
 #include "planning/volumetry/assessment.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "reconstruction/parallel.h"
 
 namespace glisson {
@@ -119,7 +118,7 @@ TEST(Perfusion, TumourInTheLostPartIsNoFunctionThatIsLost) {
   tumour.name = "tumour";
   tumour.label = 9;
   tumour.kind = StructureKind::Tumour;
-  tumour.mask = voxelised(segmentation->geometry, block(Vec3(25, -5, 20), Vec3(35, 5, 30)));
+  tumour.mask = voxelised(segmentation->geometry, box(Vec3(25, -5, 20), Vec3(35, 5, 30)));
   segmentation->structures.push_back(tumour);
   const ResectionPlan plan = planOf({forkSlab(0, 10)});
   const PerfusionEstimate without = LiverPerfusion(plain).effectOf(plan);
@@ -146,7 +145,7 @@ TEST(Perfusion, TrunkThatHardlyEntersTheLiverSaysNothing) {
   const Case source = newCase(
       nullptr,
       segmentationOf(
-          g, {{"liver", StructureKind::Liver, block(kForkLow, kForkHigh)},
+          g, {{"liver", StructureKind::Liver, box(kForkLow, kForkHigh)},
               {"portal vein", StructureKind::PortalVein,
                anyOf({rod({0, 0, -100}, {0, 0, -30}, 5), rod({0, 0, -30}, {-8, 0, -17}, 3), rod({0, 0, -30}, {9, 0, -17}, 3)})}}));
   const LiverPerfusion perfusion(source);
@@ -159,7 +158,7 @@ TEST(Perfusion, LabelledCavaIsNeverCut) {
   // The cava runs through the liver; the resection takes it and the left vein, but the right vein's way stays open.
   const ImageGeometry g = gridOf({120, 60, 120}, Vec3(1, 1, 1), Vec3(-59.5, -29.5, -59.5));
   const Case source =
-      newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, block(Vec3(-50, -25, -40), Vec3(50, 25, 40))},
+      newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, box(Vec3(-50, -25, -40), Vec3(50, 25, 40))},
                                           {"hepatic vein", StructureKind::HepaticVein,
                                            anyOf({rod({10, 0, 20}, {-40, 0, 20}, 3), rod({10, 0, 20}, {45, 0, 20}, 3)})},
                                           {"inferior vena cava", StructureKind::VenaCava, rod({10, 0, -59}, {10, 0, 59}, 9)}}));
@@ -193,7 +192,7 @@ TEST(TerritoryJson, HasTheKeysOfTheContractBehindThoseOfThePlan) {
   report.territories = territoriesOf(*source.liver, perfusion.portal(), proposeLeftRight(perfusion.portal()));
   report.volumes = volumesOf(report.territories, plan);
   report.effect = perfusion.effectOf(plan);
-  const auto json = nlohmann::ordered_json::parse(toJson(PlanAssessor(source).assess(plan), report, perfusion));
+  const auto json = Json::parse(toJson(PlanAssessor(source).assess(plan), report, perfusion));
   EXPECT_TRUE(json.contains("flrPercent"));
   const auto& estimates = json["estimates"];
   std::vector<std::string> keys;

@@ -12,9 +12,6 @@ namespace glisson {
 namespace {
 using namespace test;
 
-VesselGraph portalOf(const Case& source) {
-  return vesselGraphOf(VesselSystem::Portal, *source.segmentation->structures[1].mask, source.liver->geometry, source.liver->liver);
-}
 Territories leftRight(const Case& source) {
   const VesselGraph portal = portalOf(source);
   return territoriesOf(*source.liver, portal, proposeLeftRight(portal));
@@ -120,9 +117,9 @@ TEST(TerritoryVolumes, PicksThatMakeNoSenseAreRefused) {
 TEST(TerritoryVolumes, SegmentMapGivesItsPartsAndWhatItLeavesOut) {
   const Case& source = forkCase();
   const ImageGeometry& g = source.liver->geometry;
-  auto map = segmentationOf(g, {{"liver_segment_2", StructureKind::Liver, block(Vec3(0, -20, -20), kForkHigh)},
-                                {"segment 8", StructureKind::Liver, block(Vec3(-30, -30, -30), Vec3(10, 20, 40))},
-                                {"spleen", StructureKind::Other, block(Vec3(-60, -20, -20), Vec3(-50, 20, 20))}});
+  auto map = segmentationOf(g, {{"liver_segment_2", StructureKind::Liver, box(Vec3(0, -20, -20), kForkHigh)},
+                                {"segment 8", StructureKind::Liver, box(Vec3(-30, -30, -30), Vec3(10, 20, 40))},
+                                {"spleen", StructureKind::Other, box(Vec3(-60, -20, -20), Vec3(-50, 20, 20))}});
   map->structures[2].label = 44;
   const Territories made = segmentTerritories(*source.liver, *map);
   EXPECT_TRUE(made.confirmed);

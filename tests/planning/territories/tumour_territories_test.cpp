@@ -11,19 +11,19 @@ namespace {
 using namespace test;
 
 const ImageGeometry kGrid = gridOf({40, 24, 20}, Vec3(1, 0.5, 2));
-const Inside kLiver = block(Vec3(4.5, 0.9, 3), Vec3(34.5, 11.1, 37));
+const Inside kLiver = box(Vec3(4.5, 0.9, 3), Vec3(34.5, 11.1, 37));
 
 /// A map of two segments that meet at x = 20.5, on the case's grid.
 Territories twoSegments(const Case& source) {
-  const auto map = segmentationOf(kGrid, {{"segment 2", StructureKind::Other, block(Vec3(-1, -1, -1), Vec3(20.5, 40, 60))},
-                                          {"segment 7", StructureKind::Other, block(Vec3(20.5, -1, -1), Vec3(60, 40, 60))}});
+  const auto map = segmentationOf(kGrid, {{"segment 2", StructureKind::Other, box(Vec3(-1, -1, -1), Vec3(20.5, 40, 60))},
+                                          {"segment 7", StructureKind::Other, box(Vec3(20.5, -1, -1), Vec3(60, 40, 60))}});
   return segmentTerritories(*source.liver, *map);
 }
 
 TEST(TumourTerritories, SharesAreTheVoxelsOnEachSideOfTheBorderLargestFirst) {
   const Case source = newCase(nullptr, segmentationOf(kGrid, {{"liver", StructureKind::Liver, kLiver},
-                                                              {"across", StructureKind::Tumour, block({17.5, 2, 8}, {27.5, 6, 16})},
-                                                              {"within", StructureKind::Cyst, block({6.5, 2, 8}, {9.5, 6, 16})}}));
+                                                              {"across", StructureKind::Tumour, box({17.5, 2, 8}, {27.5, 6, 16})},
+                                                              {"within", StructureKind::Cyst, box({6.5, 2, 8}, {9.5, 6, 16})}}));
   const auto all = tumourTerritories(source, twoSegments(source));
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].id, "tumour_01");
@@ -43,9 +43,8 @@ TEST(TumourTerritories, SharesAreTheVoxelsOnEachSideOfTheBorderLargestFirst) {
 }
 
 TEST(TumourTerritories, WhatLiesOutsideTheLiverLiesInNone) {
-  const Case source =
-      newCase(nullptr, segmentationOf(kGrid, {{"liver", StructureKind::Liver, kLiver},
-                                              {"apart", StructureKind::Tumour, block({36.5, 2, 8}, {38.5, 6, 16})}}));
+  const Case source = newCase(nullptr, segmentationOf(kGrid, {{"liver", StructureKind::Liver, kLiver},
+                                                              {"apart", StructureKind::Tumour, box({36.5, 2, 8}, {38.5, 6, 16})}}));
   const auto all = tumourTerritories(source, twoSegments(source));
   ASSERT_EQ(all.size(), 1U);
   EXPECT_TRUE(all[0].shares.empty());
@@ -54,9 +53,9 @@ TEST(TumourTerritories, WhatLiesOutsideTheLiverLiesInNone) {
 TEST(TumourTerritories, OfABorderBetweenBranchesAreThoseOfItsTwoSides) {
   const ImageGeometry& g = forkCase().liver->geometry;
   const Case source = newCase(
-      nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, block(kForkLow, kForkHigh)},
+      nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, box(kForkLow, kForkHigh)},
                                   {"portal vein", StructureKind::PortalVein, forkPortal()},
-                                  {"tumour", StructureKind::Tumour, block({kForkBorder - 3, 0, 0}, {kForkBorder + 9, 10, 10})}}));
+                                  {"tumour", StructureKind::Tumour, box({kForkBorder - 3, 0, 0}, {kForkBorder + 9, 10, 10})}}));
   const VesselGraph portal =
       vesselGraphOf(VesselSystem::Portal, *source.segmentation->structures[1].mask, source.liver->geometry, source.liver->liver);
   const auto all = tumourTerritories(source, territoriesOf(*source.liver, portal, proposeLeftRight(portal)));
@@ -69,7 +68,7 @@ TEST(TumourTerritories, OfABorderBetweenBranchesAreThoseOfItsTwoSides) {
 
 TEST(TumourTerritories, WithoutTerritoriesThereAreNone) {
   const Case source = newCase(nullptr, segmentationOf(kGrid, {{"liver", StructureKind::Liver, kLiver},
-                                                              {"tumour", StructureKind::Tumour, block({6, 2, 8}, {9, 6, 16})}}));
+                                                              {"tumour", StructureKind::Tumour, box({6, 2, 8}, {9, 6, 16})}}));
   EXPECT_TRUE(tumourTerritories(source, {}).empty());
 }
 

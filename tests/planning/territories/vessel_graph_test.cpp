@@ -12,10 +12,6 @@ namespace glisson {
 namespace {
 using namespace test;
 
-VesselGraph portalOf(const Case& source) {
-  return vesselGraphOf(VesselSystem::Portal, *source.segmentation->structures[1].mask, source.liver->geometry, source.liver->liver);
-}
-
 Vec3 placeOf(const VesselGraph& graph, std::int32_t node) {
   return graph.sites[static_cast<std::size_t>(graph.nodes[static_cast<std::size_t>(node)].site)].positionMm;
 }
@@ -154,7 +150,7 @@ TEST(VesselGraphs, NoiseGivesASoundForest) {
 
 TEST(VesselGraphs, SmallPieceNearABranchContinuesItAndAFarOneOwnsNothing) {
   const ImageGeometry g = gridOf({120, 40, 160}, Vec3(1, 1, 1), Vec3(-60, -20, -80));
-  const auto liver = voxelised(g, block(Vec3(-50, -20, -20), Vec3(50, 20, 78)));
+  const auto liver = voxelised(g, box(Vec3(-50, -20, -20), Vec3(50, 20, 78)));
   const auto withGap =
       voxelised(g, anyOf({rod({0, 0, -70}, {0, 0, 45}, 3), rod({0, 0, 54}, {0, 0, 61}, 2), rod({40, 0, 60}, {45, 0, 60}, 1)}));
   const VesselGraph graph = vesselGraphOf(VesselSystem::Portal, *withGap, g, *liver);

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 
 #include "planning/volumetry/tumour_margin.h"
+#include "reconstruction/json.h"
 #include "tests/planning/voxel_bodies.h"
 #include "tests/support/trials.h"
 
@@ -15,16 +15,11 @@ namespace glisson {
 namespace {
 using namespace test;
 
-const Vec3 kSpacing(0.8, 0.8, 2.5);
-
-Vec3 randomDirection(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return Vec3(normal(random), normal(random), normal(random)).normalized();
-}
+const Vec3 kBlockSpacing(0.8, 0.8, 2.5);
 
 /// A liver that fills a block of voxels [20, 60) x [20, 60) x [5, 15): 32 x 32 x 25 mm about (31.6, 31.6, 23.75).
 Case blockLiver() {
-  const ImageGeometry g = gridOf({80, 80, 20}, kSpacing);
+  const ImageGeometry g = gridOf({80, 80, 20}, kBlockSpacing);
   return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, [g](const Vec3& p) {
                                                 const Vec3 i = g.toIndex(p);
                                                 return i[0] > 19.5 && i[0] < 59.5 && i[1] > 19.5 && i[1] < 59.5 && i[2] > 4.5 &&
@@ -34,7 +29,7 @@ Case blockLiver() {
 const Vec3 kBlockCentre(0.8 * 39.5, 0.8 * 39.5, 2.5 * 9.5);
 
 Case ballLiver() {
-  const ImageGeometry g = gridOf({90, 90, 30}, kSpacing, Vec3(-100, 50, 7));
+  const ImageGeometry g = gridOf({90, 90, 30}, kBlockSpacing, Vec3(-100, 50, 7));
   const Vec3 c = g.toWorld(Vec3(44.5, 44.5, 14.5));
   return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, ball(c, 30)},
                                              {"tumour", StructureKind::Tumour, ball(c + Vec3(12, 0, 0), 6)},
@@ -92,7 +87,7 @@ TEST(Volumes, OppositePlanesShareTheLiverWithoutGapOrOverlap) {
 
 TEST(Volumes, PlaneThroughTheCentreHalvesABall) {
   const PlanAssessor assessor(ballLiver());
-  const Vec3 centre = Vec3(-100, 50, 7) + Vec3(44.5, 44.5, 14.5).cwiseProduct(kSpacing);
+  const Vec3 centre = Vec3(-100, 50, 7) + Vec3(44.5, 44.5, 14.5).cwiseProduct(kBlockSpacing);
   for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(1, 2, 3)}) {
     const PlanAssessment r = assessor.volumes(planOf({{{centre, normal.normalized()}}}));
     EXPECT_NEAR(r.resectedMl / r.totalMl, 0.5, 1e-9);  // the voxels are symmetric about it
@@ -183,7 +178,7 @@ TEST(Volumes, PlaneThatMissesTheLiverSaysSo) {
   const PlanAssessment beyond = assessor.volumes(planOf({{{kBlockCentre + Vec3(100, 0, 0), Vec3::UnitX()}}}));
   EXPECT_EQ(beyond.resectedMl, 0);
   EXPECT_FALSE(beyond.divides);
-  const auto json = nlohmann::ordered_json::parse(toJson(beyond));
+  const auto json = Json::parse(toJson(beyond));
   for (const char* key : {"resectedMl", "remnantMl", "functionalRemnantMl", "flrPercent", "volumeUncertaintyMl"}) {
     EXPECT_TRUE(json[key].is_null()) << key << " is a number of no plan";
   }
@@ -250,8 +245,8 @@ TEST(Volumes, TumourLeftBehindIsNoFunction) {
 
 TEST(Json, HasTheKeysOfTheContract) {
   const PlanAssessment r = PlanAssessor(ballLiver()).assess(planOf({{{Vec3(-65, 85, 43), Vec3::UnitX()}}}));
-  const auto json = nlohmann::ordered_json::parse(toJson(r));
-  const auto keys = [](const nlohmann::ordered_json& object) {
+  const auto json = Json::parse(toJson(r));
+  const auto keys = [](const Json& object) {
     std::vector<std::string> names;
     for (const auto& [name, value] : object.items()) {
       names.push_back(name);

@@ -22,25 +22,20 @@ namespace glisson {
 namespace {
 using namespace test;
 
-const Vec3 kSpacing(0.8, 0.7, 2.5);
+const Vec3 kTurnedSpacing(0.8, 0.7, 2.5);
 
 /// A box of liver, 80 x 70 x 75 mm about the origin, in an oblique and mirrored grid where asked.
 ImageGeometry boxGrid(bool oblique = false) {
-  ImageGeometry g = gridOf({100, 100, 30}, kSpacing);
+  ImageGeometry g = gridOf({100, 100, 30}, kTurnedSpacing);
   if (oblique) {
     g.direction = Eigen::AngleAxisd(0.4, Vec3(1, -2, 1).normalized()).toRotationMatrix() * Vec3(1, 1, -1).asDiagonal();
   }
-  g.origin = -(g.direction * (0.5 * kSpacing.cwiseProduct(Vec3(99, 99, 29))));
+  g.origin = -(g.direction * (0.5 * kTurnedSpacing.cwiseProduct(Vec3(99, 99, 29))));
   return g;
 }
 
 VoxelRows allRows(const ImageGeometry& g) {
   return rowsOf(*voxelised(g, [](const Vec3&) { return true; }));
-}
-
-Vec3 randomDirection(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return Vec3(normal(random), normal(random), normal(random)).normalized();
 }
 
 ResectionPlane bentRandomly(const HalfSpace& plane, std::mt19937& random, double mm, double halfSize = 70) {
@@ -111,7 +106,7 @@ TEST(BendNumbers, LinearHeightsAreATiltedPlane) {
 TEST(BendNumbers, ParaboloidThroughABoxTakesItsIntegral) {
   // Along each axis of the grid and obliquely to it, the paraboloid leaves through the same four faces.
   const ImageGeometry g = boxGrid();
-  const Vec3 size = kSpacing.cwiseProduct(Vec3(100, 100, 30));
+  const Vec3 size = kTurnedSpacing.cwiseProduct(Vec3(100, 100, 30));
   for (int axis = 0; axis < 3; ++axis) {
     const HalfSpace plane{Vec3::Zero(), Vec3::Unit(axis)};
     ResectionPlane bent(plane, flatBend(plane, 60));
@@ -397,24 +392,24 @@ TEST(BendNumbers, NoVoxelOutsideAStronglyBentRegionHasDepthZero) {
   std::uniform_int_distribution<int> at(-25, 25);
   for (int n = 0; n < trials(300); ++n) {
     const ResectionPlane bent = bentRandomly({Vec3::Zero(), randomDirection(random)}, random, 30, kLeastBendHalfSizeMm);
-    const ImageGeometry g = gridOf({1, 1, 1}, kSpacing);
+    const ImageGeometry g = gridOf({1, 1, 1}, kTurnedSpacing);
     const auto alone = toImage(planOf({{bent}}), g);
     const auto wedge = toImage(planOf({{bent, ResectionPlane(5 * randomDirection(random), randomDirection(random))}}), g);
     VoxelRows rows;
     rows.runs.push_back({at(random), at(random), at(random), 1});
     rows.voxels = 1;
-    const Box box = boxOf(rows.runs[0], kSpacing);
+    const Box box = boxOf(rows.runs[0], kTurnedSpacing);
     double deepest = 0;
     for (unsigned corner = 0; corner < 8; ++corner) {
       const Vec3 side((corner & 1U) != 0 ? 1 : -1, (corner & 2U) != 0 ? 1 : -1, (corner & 4U) != 0 ? 1 : -1);
       deepest = std::max(deepest, -alone[0].bends[0].above(box.centre + box.half.cwiseProduct(side)));
     }
     Vec3 normal;
-    const double depth = greatestDepth(rows, kSpacing, alone, normal);
+    const double depth = greatestDepth(rows, kTurnedSpacing, alone, normal);
     EXPECT_LE(depth, deepest + 1e-9) << n;
     EXPECT_EQ(depth > 0, deepest > 0) << n;
     if (deepest > 0) {
-      EXPECT_GT(greatestDepth(rows, kSpacing, wedge, normal), 0) << n;
+      EXPECT_GT(greatestDepth(rows, kTurnedSpacing, wedge, normal), 0) << n;
     }
   }
 }

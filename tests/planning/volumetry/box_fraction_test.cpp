@@ -6,18 +6,16 @@
 #include <random>
 
 #include "planning/volumetry/convex.h"
+#include "tests/planning/voxel_bodies.h"
 
 namespace glisson {
 namespace {
 
+using test::randomDirection;
+
 std::array<double, 3> widthsOf(const Box& box, const Vec3& normal) {
   const Vec3 w = 2 * normal.cwiseAbs().cwiseProduct(box.half);
   return {w[0], w[1], w[2]};
-}
-
-Vec3 randomDirection(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return Vec3(normal(random), normal(random), normal(random)).normalized();
 }
 
 TEST(BoxFraction, CubeAlongItsDiagonalHasTheKnownPolynomial) {

@@ -14,16 +14,12 @@ namespace glisson {
 namespace {
 using namespace test;
 
-const Vec3 kSpacing(0.8, 0.9, 2.5);
-
-Inside box(const Vec3& low, const Vec3& high) {
-  return [=](const Vec3& p) { return (p.array() > low.array()).all() && (p.array() < high.array()).all(); };
-}
+const Vec3 kArchSpacing(0.8, 0.9, 2.5);
 
 /// A bar along x (0 to 60 mm) with two legs up z at its ends: 12 mm wide, of 40 and 30 mm. Cut at half height across the legs the
 /// upper side falls into two pieces. The shorter leg holds a tumour, a vessel runs through the longer one.
 Case archLiver() {
-  const ImageGeometry g = gridOf({90, 34, 28}, kSpacing, Vec3(-5, -5, -5));
+  const ImageGeometry g = gridOf({90, 34, 28}, kArchSpacing, Vec3(-5, -5, -5));
   const Inside bar = box(Vec3(0, 0, 0), Vec3(60, 20, 15));
   const Inside longLeg = box(Vec3(0, 0, 0), Vec3(12, 20, 55));
   const Inside shortLeg = box(Vec3(48, 0, 0), Vec3(60, 20, 45));
@@ -132,7 +128,7 @@ TEST(Islands, TumoursAndVesselsBelongToTheSideTheirIslandIsGivenTo) {
 }
 
 TEST(Islands, DepthOfACutTumourIsToTheSurfaceThatStillDividesTheSides) {
-  const ImageGeometry g = gridOf({90, 34, 28}, kSpacing, Vec3(-5, -5, -5));
+  const ImageGeometry g = gridOf({90, 34, 28}, kArchSpacing, Vec3(-5, -5, -5));
   const Inside bar = box(Vec3(0, 0, 0), Vec3(60, 20, 15));
   const Inside longLeg = box(Vec3(0, 0, 0), Vec3(12, 20, 55));
   const Inside shortLeg = box(Vec3(48, 0, 0), Vec3(60, 20, 45));
@@ -193,7 +189,7 @@ TEST(Islands, PieceOfAMillilitreOrLessIsNotListedButCanBeGiven) {
 }
 
 TEST(Islands, ConvexLiverHasNone) {
-  const ImageGeometry g = gridOf({60, 60, 24}, kSpacing);
+  const ImageGeometry g = gridOf({60, 60, 24}, kArchSpacing);
   const PlanAssessor assessor(
       newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, box(Vec3(3, 3, 3), Vec3(44, 50, 55))}})));
   std::mt19937 random(21);
@@ -217,7 +213,7 @@ TEST(SidePieces, OfBothSidesAddUpToTheLiver) {
     };
     const ResectionPlan plan = n % 3 == 0 ? planOf({{plane(), plane()}, {plane()}}) : planOf({{plane()}});
     const auto resections = toImage(plan, arch.liver->geometry);
-    const SidePieces pieces(rows, kSpacing, resections);
+    const SidePieces pieces(rows, kArchSpacing, resections);
     std::int64_t resected = 0;
     std::int64_t all = 0;
     for (const SidePiece& piece : pieces.pieces()) {
@@ -227,7 +223,7 @@ TEST(SidePieces, OfBothSidesAddUpToTheLiver) {
       all += piece.units;
     }
     EXPECT_EQ(all, static_cast<std::int64_t>(rows.voxels) << 32);
-    const double mm3 = static_cast<double>(resected - resect(rows, kSpacing, resections).totalUnits()) / kUnitsPerVoxel;
+    const double mm3 = static_cast<double>(resected - resect(rows, kArchSpacing, resections).totalUnits()) / kUnitsPerVoxel;
     EXPECT_NEAR(mm3, 0, 1e-5) << "voxel by voxel as run by run";
   }
 }

@@ -6,12 +6,12 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 
 #include "planning/volumetry/tumour_margin.h"
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "reconstruction/parallel.h"
 #include "tests/planning/voxel_bodies.h"
 #include "tests/support/trials.h"
@@ -19,10 +19,6 @@
 namespace glisson {
 namespace {
 using namespace test;
-
-Inside box(const Vec3& low, const Vec3& high) {
-  return [=](const Vec3& p) { return (p.array() > low.array()).all() && (p.array() < high.array()).all(); };
-}
 
 Case caseOf(const Vec3& spacing, const Inside& liver, const Inside& tumour) {
   const Index3 size{static_cast<int>(110 / spacing[0]), static_cast<int>(110 / spacing[1]), static_cast<int>(110 / spacing[2])};
@@ -159,7 +155,7 @@ TEST(MarginPlane, IsNoneWhereTheMarginLeavesNothingOfTheLiver) {
   const MarginProposal none = proposeMarginPlane(made, "tumour_01", 90);
   EXPECT_FALSE(none.plane);
   EXPECT_NE(none.reason.find("No plane keeps 90 mm around met"), std::string::npos) << none.reason;
-  const auto json = nlohmann::json::parse(toJson(none));
+  const auto json = Json::parse(toJson(none));
   EXPECT_TRUE(json["plane"].is_null());
   EXPECT_TRUE(json["marginAtLeastMm"].is_null());
   EXPECT_TRUE(json["reason"].is_string());

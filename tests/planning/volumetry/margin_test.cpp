@@ -13,16 +13,11 @@ namespace glisson {
 namespace {
 using namespace test;
 
-const Vec3 kSpacing(0.8, 0.8, 2.5);
-
-Vec3 randomDirection(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return Vec3(normal(random), normal(random), normal(random)).normalized();
-}
+const Vec3 kBallSpacing(0.8, 0.8, 2.5);
 
 /// A ball of liver about the origin, radius 40 mm, with one tumour.
 Case liverWith(const Inside& tumour) {
-  const ImageGeometry g = gridOf({112, 112, 36}, kSpacing, -0.5 * kSpacing.cwiseProduct(Vec3(111, 111, 35)));
+  const ImageGeometry g = gridOf({112, 112, 36}, kBallSpacing, -0.5 * kBallSpacing.cwiseProduct(Vec3(111, 111, 35)));
   return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, ball(Vec3::Zero(), 40)},
                                              {"tumour", StructureKind::Tumour, tumour}}));
 }
@@ -133,7 +128,7 @@ TEST(Margin, CutTumourHasMinusItsDepthInTheRemnant) {
     const TumourAssessment t = assessOne(liver, planOf({{plane}}));
     ASSERT_EQ(t.state, TumourState::Cut);
     EXPECT_NEAR(t.marginMm.value(), boxesToPlane(liver, plane), 1e-9);
-    EXPECT_NEAR(t.marginAtLeastMm.value(), *t.marginMm - 0.5 * normal.cwiseAbs().dot(kSpacing), 1e-9);
+    EXPECT_NEAR(t.marginAtLeastMm.value(), *t.marginMm - 0.5 * normal.cwiseAbs().dot(kBallSpacing), 1e-9);
     EXPECT_LT(t.marginMm.value(), -13);
   }
 }

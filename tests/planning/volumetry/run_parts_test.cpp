@@ -11,7 +11,7 @@
 namespace glisson {
 namespace {
 
-const Vec3 kSpacing(0.7, 0.9, 2.5);
+const Vec3 kRunSpacing(0.7, 0.9, 2.5);
 
 VoxelRows someRows(std::mt19937& random) {
   VoxelRows rows;
@@ -37,8 +37,8 @@ ImagePlane somePlane(std::mt19937& random) {
     direction += (random() % 2 == 0 ? 1e-9 : 0.0) * Vec3(normal(random), normal(random), normal(random));
   }
   direction.normalize();
-  const Vec3 through = 0.5 * kSpacing.cwiseProduct(Vec3(static_cast<double>(random() % 90), static_cast<double>(random() % 24),
-                                                        static_cast<double>(random() % 8)));
+  const Vec3 through = 0.5 * kRunSpacing.cwiseProduct(Vec3(static_cast<double>(random() % 90), static_cast<double>(random() % 24),
+                                                           static_cast<double>(random() % 8)));
   return {direction, -direction.dot(through)};
 }
 
@@ -59,7 +59,7 @@ TEST(RunParts, AreTheVoxelsOneByOne) {
     SCOPED_TRACE(trial);
     const VoxelRows rows = someRows(random);
     const std::vector<ImageResection> plan = somePlan(random);
-    const std::vector<RunPart> parts = partsOf(rows, kSpacing, plan);
+    const std::vector<RunPart> parts = partsOf(rows, kRunSpacing, plan);
     // What two resections have of a voxel is made of bodies, each rounded for itself.
     const std::int64_t rounding = plan.size() == 1 ? 0 : 1024;
     std::size_t part = 0;
@@ -74,7 +74,7 @@ TEST(RunParts, AreTheVoxelsOneByOne) {
         ASSERT_LE(i + now.run.n, run.i + run.n);
         std::int64_t units = 0;
         for (int voxel = i; voxel < i + now.run.n; ++voxel) {
-          const std::int64_t one = resect({{{voxel, run.j, run.k, 1}}, 1}, kSpacing, plan).totalUnits();
+          const std::int64_t one = resect({{{voxel, run.j, run.k, 1}}, 1}, kRunSpacing, plan).totalUnits();
           units += one;
           if (now.isDivided()) {
             EXPECT_TRUE(one > 0 && one < std::int64_t{1} << 32);

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "planning/volumetry/box_corners.h"
 #include "planning/volumetry/tumour_margin.h"
+#include "reconstruction/json.h"
 #include "tests/planning/voxel_bodies.h"
 #include "tests/support/trials.h"
 
@@ -15,11 +15,7 @@ namespace glisson {
 namespace {
 using namespace test;
 
-const Vec3 kSpacing(0.8, 0.9, 2.5);
-
-Inside box(const Vec3& low, const Vec3& high) {
-  return [=](const Vec3& p) { return (p.array() > low.array()).all() && (p.array() < high.array()).all(); };
-}
+const Vec3 kLesionSpacing(0.8, 0.9, 2.5);
 
 VoxelRows randomRows(std::mt19937& random, int voxels, const Index3& size) {
   std::vector<std::uint8_t> values(static_cast<std::size_t>(size[0] * size[1] * size[2]));
@@ -33,7 +29,7 @@ VoxelRows randomRows(std::mt19937& random, int voxels, const Index3& size) {
 std::vector<Vec3> allCorners(const VoxelRows& rows) {
   std::vector<Vec3> corners;
   for (const RowRun& run : rows.runs) {
-    const Box b = boxOf(run, kSpacing);
+    const Box b = boxOf(run, kLesionSpacing);
     for (int c = 0; c < 8; ++c) {
       const Vec3 signs((c & 1) != 0 ? 1 : -1, (c & 2) != 0 ? 1 : -1, (c & 4) != 0 ? 1 : -1);
       corners.push_back(b.centre + signs.cwiseProduct(b.half));
@@ -54,9 +50,9 @@ TEST(BoxCorners, LongestDiameterAndExtentsAreThoseOfAllCorners) {
         longest = std::max(longest, (b - a).norm());
       }
     }
-    const auto [from, to] = farthestCorners(rows, kSpacing);
+    const auto [from, to] = farthestCorners(rows, kLesionSpacing);
     EXPECT_NEAR((to - from).norm(), longest, 1e-12);
-    const std::vector<Vec3> hull = hullCorners(rows, kSpacing);
+    const std::vector<Vec3> hull = hullCorners(rows, kLesionSpacing);
     EXPECT_LE(hull.size(), all.size());
     for (int d = 0; d < 20; ++d) {
       const Vec3 direction(normal(random), normal(random), normal(random));
@@ -75,14 +71,14 @@ TEST(BoxCorners, LongestDiameterAndExtentsAreThoseOfAllCorners) {
 TEST(BoxCorners, OneVoxelsDiameterIsItsDiagonalAndNoVoxelHasNone) {
   VoxelRows one;
   one.runs.push_back({3, 4, 5, 1});
-  const auto [from, to] = farthestCorners(one, kSpacing);
-  EXPECT_NEAR((to - from).norm(), kSpacing.norm(), 1e-14);
-  EXPECT_EQ(farthestCorners({}, kSpacing).first, Vec3(0, 0, 0));
+  const auto [from, to] = farthestCorners(one, kLesionSpacing);
+  EXPECT_NEAR((to - from).norm(), kLesionSpacing.norm(), 1e-14);
+  EXPECT_EQ(farthestCorners({}, kLesionSpacing).first, Vec3(0, 0, 0));
 }
 
 /// A liver [0, 40) x [0, 36) x [0, 50) mm of whole voxels, about.
 Case boxLiver(const Inside& tumour) {
-  const ImageGeometry g = gridOf({70, 60, 30}, kSpacing, Vec3(-8, -9, -10));
+  const ImageGeometry g = gridOf({70, 60, 30}, kLesionSpacing, Vec3(-8, -9, -10));
   return newCase(nullptr,
                  segmentationOf(g, {{"liver", StructureKind::Liver, box(Vec3(0, 0, 0), Vec3(40, 36, 50))},
                                     {"met", StructureKind::Tumour, tumour},
@@ -106,7 +102,7 @@ TEST(TumourMeasures, ToTheCapsuleLeavesCavitiesOut) {
 
 TEST(TumourMeasures, WhereTheImageEndsTheCapsuleIsAtLeastThatFar) {
   // The liver fills the grid along z, and the tumour lies nearer to its last slice than to the liver's sides.
-  const ImageGeometry g = gridOf({70, 60, 20}, kSpacing, Vec3(-8, -9, 0));
+  const ImageGeometry g = gridOf({70, 60, 20}, kLesionSpacing, Vec3(-8, -9, 0));
   const Case made = newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, box(Vec3(0, 0, -9), Vec3(40, 36, 99))},
                                                         {"met", StructureKind::Tumour, box(Vec3(15, 15, 38), Vec3(25, 21, 41))}}));
   const TumourMeasures measured = tumourMeasures(made).at(0);
@@ -121,17 +117,17 @@ TEST(TumourMeasures, OfABoxAreItsSidesAndGaps) {
   const TumourMeasures& m = all[0];
   EXPECT_EQ(m.id, "tumour_01");
   const IndexBox& voxels = made.segmentation->structures[1].mask->box();
-  const Vec3 sides = kSpacing.cwiseProduct(Vec3(voxels.size[0], voxels.size[1], voxels.size[2]));
+  const Vec3 sides = kLesionSpacing.cwiseProduct(Vec3(voxels.size[0], voxels.size[1], voxels.size[2]));
   EXPECT_NEAR(m.longestDiameterMm, sides.norm(), 1e-12);
   EXPECT_NEAR((m.diameterTo - m.diameterFrom).norm(), m.longestDiameterMm, 1e-12);
   EXPECT_NEAR(m.volumeMl, sides.prod() * kMlPerMm3, 1e-9);
   // The right face of the liver is the nearest: whole voxels between both boxes.
   const IndexBox& liver = made.liver->liver.box();
   const int behind = liver.first[1] + liver.size[1] - (voxels.first[1] + voxels.size[1]);
-  EXPECT_NEAR(m.capsuleMm, kSpacing[1] * std::min(behind, voxels.first[1] - liver.first[1]), 1e-12);
+  EXPECT_NEAR(m.capsuleMm, kLesionSpacing[1] * std::min(behind, voxels.first[1] - liver.first[1]), 1e-12);
   EXPECT_EQ(m.nearestVessel, "hepatic vein");
   const IndexBox& vein = made.segmentation->structures[3].mask->box();
-  EXPECT_NEAR(m.vesselMm.value(), kSpacing[0] * (vein.first[0] - voxels.first[0] - voxels.size[0]), 1e-12);
+  EXPECT_NEAR(m.vesselMm.value(), kLesionSpacing[0] * (vein.first[0] - voxels.first[0] - voxels.size[0]), 1e-12);
 }
 
 TEST(TumourMeasures, TouchingIsZero) {
@@ -156,7 +152,7 @@ TEST(TumourMeasures, AreTheSameInATurnedShiftedAndMirroredGrid) {
 
 TEST(TumourMeasures, VesselDistanceIsTheShortestOfAllPairsOfVoxels) {
   std::mt19937 random(32);
-  const ImageGeometry g = gridOf({30, 24, 14}, kSpacing);
+  const ImageGeometry g = gridOf({30, 24, 14}, kLesionSpacing);
   std::uniform_real_distribution<double> x(3, 20);
   for (int n = 0; n < test::trials(30); ++n) {
     const Vec3 a(x(random), x(random), 1.4 * x(random));
@@ -169,8 +165,8 @@ TEST(TumourMeasures, VesselDistanceIsTheShortestOfAllPairsOfVoxels) {
     const VoxelRows vein = rowsOf(*made.segmentation->structures[2].mask);
     for (const RowRun& p : tumour.runs) {
       for (const RowRun& q : vein.runs) {
-        const Box s = boxOf(p, kSpacing);
-        const Box t = boxOf(q, kSpacing);
+        const Box s = boxOf(p, kLesionSpacing);
+        const Box t = boxOf(q, kLesionSpacing);
         shortest = std::min(shortest, ((s.centre - t.centre).cwiseAbs() - s.half - t.half).cwiseMax(0.0).norm());
       }
     }
@@ -181,13 +177,13 @@ TEST(TumourMeasures, VesselDistanceIsTheShortestOfAllPairsOfVoxels) {
 }
 
 TEST(TumourMeasures, WithoutVesselsSayNothingAboutThem) {
-  const ImageGeometry g = gridOf({30, 30, 20}, kSpacing);
+  const ImageGeometry g = gridOf({30, 30, 20}, kLesionSpacing);
   const auto measured =
       tumourMeasures(newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, ball(Vec3(12, 12, 25), 9)},
                                                          {"met", StructureKind::Tumour, ball(Vec3(12, 12, 25), 3)}})));
   ASSERT_EQ(measured.size(), 1U);
   EXPECT_FALSE(measured[0].vesselMm);
-  EXPECT_TRUE(nlohmann::json::parse(toJson(measured))[0]["nearestVessel"].is_null());
+  EXPECT_TRUE(Json::parse(toJson(measured))[0]["nearestVessel"].is_null());
 }
 
 }  // namespace

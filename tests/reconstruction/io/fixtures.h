@@ -81,7 +81,9 @@ struct NiftiOptions {
 };
 Bytes nifti(const ImageGeometry& geometry, const Bytes& voxels, const NiftiOptions& options = {});
 
-/// `space`: "left-posterior-superior", "right-anterior-superior" or "left-anterior-superior". `extra`: further header lines.
+inline constexpr const char* kLps = "left-posterior-superior";
+
+/// `space`: kLps, "right-anterior-superior" or "left-anterior-superior". `extra`: further header lines.
 Bytes nrrd(const ImageGeometry& geometry, const Bytes& voxels, const std::string& type, const std::string& space, bool compressed,
            const std::string& extra = "", bool bigEndian = false);
 Bytes metaImage(const ImageGeometry& geometry, const Bytes& voxels, const std::string& type, bool compressed);

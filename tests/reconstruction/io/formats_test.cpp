@@ -18,7 +18,6 @@ namespace {
 
 using namespace fixtures;
 
-constexpr const char* kLps = "left-posterior-superior";
 constexpr const char* kRas = "right-anterior-superior";
 constexpr const char* kLas = "left-anterior-superior";
 

@@ -22,7 +22,6 @@ namespace glisson {
 namespace {
 
 using namespace fixtures;
-constexpr const char* kLps = "left-posterior-superior";
 
 void expectOneSentence(const std::string& message, const std::string& file) {
   EXPECT_NE(message.find(file), std::string::npos) << message;

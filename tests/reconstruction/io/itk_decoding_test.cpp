@@ -18,8 +18,6 @@ namespace {
 
 using namespace fixtures;
 
-constexpr const char* kLps = "left-posterior-superior";
-
 /// The bytes with one text in them exchanged.
 Bytes exchanged(const Bytes& bytes, std::string_view from, std::string_view to) {
   const auto at = std::search(bytes.begin(), bytes.end(), from.begin(), from.end());

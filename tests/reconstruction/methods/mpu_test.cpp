@@ -22,8 +22,8 @@ using mpu::Patch;
 using mpu::Quadric;
 using test::Cloud;
 
-const Vec3 kCentre(40.3, 39.1, 41.2);
-constexpr double kRadius = 25;
+const Vec3 kMiddle(40.3, 39.1, 41.2);
+constexpr double kSphereRadius = 25;
 constexpr double kRing = 22;
 constexpr double kTube = 8;
 
@@ -47,19 +47,19 @@ Made surfaceOf(const Cloud& cloud, const Cube& cube, double toleranceMm, int dep
 }
 
 Made sphereOf(double toleranceMm, int depth = 6) {
-  return surfaceOf(test::sphereCloud(kCentre, kRadius, 8000), cubeAround(kCentre, 64), toleranceMm, depth,
-                   [](const Vec3& p) { return (p - kCentre).norm() < kRadius; });
+  return surfaceOf(test::sphereCloud(kMiddle, kSphereRadius, 8000), cubeAround(kMiddle, 64), toleranceMm, depth,
+                   [](const Vec3& p) { return (p - kMiddle).norm() < kSphereRadius; });
 }
 
 Made torusOf(double toleranceMm, int depth = 6) {
-  return surfaceOf(test::torusCloud(kCentre, kRing, kTube, 220, 80), cubeAround(kCentre, 72), toleranceMm, depth,
-                   [](const Vec3& p) { return test::distanceToTorus(p, kCentre, kRing, kTube) < 0; });
+  return surfaceOf(test::torusCloud(kMiddle, kRing, kTube, 220, 80), cubeAround(kMiddle, 72), toleranceMm, depth,
+                   [](const Vec3& p) { return test::distanceToTorus(p, kMiddle, kRing, kTube) < 0; });
 }
 
 double greatestOffTorus(const SurfaceMesh& mesh) {
   double greatest = 0;
   for (const Vec3& v : mesh.vertices) {
-    greatest = std::max(greatest, std::abs(test::distanceToTorus(v, kCentre, kRing, kTube)));
+    greatest = std::max(greatest, std::abs(test::distanceToTorus(v, kMiddle, kRing, kTube)));
   }
   return greatest;
 }
@@ -122,9 +122,9 @@ TEST(Mpu, OfASphereIsClosedAndOutwardWithItsVolume) {
   const Made made = sphereOf(0.05);
   expectSound(made.mesh);
   EXPECT_EQ(eulerCharacteristic(made.mesh), 2);
-  EXPECT_NEAR(signedVolumeMm3(made.mesh) / (4.0 / 3 * std::numbers::pi * std::pow(kRadius, 3)), 1, 0.003);
+  EXPECT_NEAR(signedVolumeMm3(made.mesh) / (4.0 / 3 * std::numbers::pi * std::pow(kSphereRadius, 3)), 1, 0.003);
   for (const Vec3& v : made.mesh.vertices) {
-    EXPECT_NEAR((v - kCentre).norm(), kRadius, 0.1);
+    EXPECT_NEAR((v - kMiddle).norm(), kSphereRadius, 0.1);
   }
 }
 
@@ -147,7 +147,7 @@ TEST(Mpu, OfATorusIsWithinTheToleranceAndNearsItWithMoreAndSmallerCells) {
 
 TEST(Mpu, BeyondTheSamplesTheBodySaysWhatIsInside) {
   // One hole in the cloud: quadrics that are extrapolated into it must not make sheets far from the samples.
-  Cloud cloud = test::sphereCloud(kCentre, kRadius, 8000);
+  Cloud cloud = test::sphereCloud(kMiddle, kSphereRadius, 8000);
   Cloud holed;
   for (std::size_t n = 0; n < cloud.positions.size(); ++n) {
     if (cloud.normals[n][0] < 0.6) {
@@ -156,11 +156,11 @@ TEST(Mpu, BeyondTheSamplesTheBodySaysWhatIsInside) {
     }
   }
   const Made made =
-      surfaceOf(holed, cubeAround(kCentre, 64), 0.05, 6, [](const Vec3& p) { return (p - kCentre).norm() < kRadius; });
+      surfaceOf(holed, cubeAround(kMiddle, 64), 0.05, 6, [](const Vec3& p) { return (p - kMiddle).norm() < kSphereRadius; });
   expectSound(made.mesh);
   EXPECT_EQ(eulerCharacteristic(made.mesh), 2);
   for (const Vec3& v : made.mesh.vertices) {
-    EXPECT_NEAR((v - kCentre).norm(), kRadius, 1.5);  // a cell's diagonal is 1.7
+    EXPECT_NEAR((v - kMiddle).norm(), kSphereRadius, 1.5);  // a cell's diagonal is 1.7
   }
 }
 
@@ -178,8 +178,8 @@ TEST(Mpu, IsTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(Mpu, StopsOnCancelWhileFittingAndWhilePolygonising) {
-  const Cloud cloud = test::sphereCloud(kCentre, kRadius, 2000);
-  const Cube cube = cubeAround(kCentre, 64);
+  const Cloud cloud = test::sphereCloud(kMiddle, kSphereRadius, 2000);
+  const Cube cube = cubeAround(kMiddle, 64);
   const ExecutionContext context;
   context.cancel();
   EXPECT_THROW(mpu::fitPatches(cloud.positions, cloud.normals, cube, {0.1, 1.0}, context), Cancelled);

@@ -16,12 +16,12 @@ namespace {
 using test::Body;
 using test::bodyWhere;
 
-const Vec3 kCentre(24.3, 23.8, 24.1);
-constexpr double kRadius = 18;
+const Vec3 kBallCentre(24.3, 23.8, 24.1);
+constexpr double kBallRadius = 18;
 
-Body ball(double slice = 0.8) {
+Body slicedBall(double slice = 0.8) {
   return bodyWhere({61, 61, static_cast<int>(48.0 / slice) + 1}, Vec3(0.8, 0.8, slice),
-                   [](const Vec3& p) { return (p - kCentre).norm() < kRadius; });
+                   [](const Vec3& p) { return (p - kBallCentre).norm() < kBallRadius; });
 }
 
 OrientedPoints planePoints(const Body& body, Sampling sampling, int neighbours = kUsualNeighbours) {
@@ -31,7 +31,7 @@ OrientedPoints planePoints(const Body& body, Sampling sampling, int neighbours =
 double degrees(const Vec3& a, const Vec3& b) { return 180 / std::numbers::pi * std::acos(std::clamp(a.dot(b), -1.0, 1.0)); }
 
 /// The mean angle to the sphere's own normals.
-double meanAngle(const OrientedPoints& points, const Vec3& centre = kCentre) {
+double meanAngle(const OrientedPoints& points, const Vec3& centre = kBallCentre) {
   double sum = 0;
   for (std::size_t n = 0; n < points.positions.size(); ++n) {
     sum += degrees(points.normals[n], (points.positions[n] - centre).normalized());
@@ -40,7 +40,7 @@ double meanAngle(const OrientedPoints& points, const Vec3& centre = kCentre) {
 }
 
 TEST(PlaneNormals, OfAVoxelBallAreWithinDegreesOfTheSphereAndNearerWithMoreNeighbours) {
-  const Body body = ball();
+  const Body body = slicedBall();
   for (const Sampling sampling : {Sampling::Paper, Sampling::Unbiased}) {
     const double ten = meanAngle(planePoints(body, sampling, 10));
     const double forty = meanAngle(planePoints(body, sampling, 40));
@@ -51,7 +51,8 @@ TEST(PlaneNormals, OfAVoxelBallAreWithinDegreesOfTheSphereAndNearerWithMoreNeigh
 }
 
 TEST(PlaneNormals, OfTenVoxelCentresInThickSlicesFitTheSlicesAndFortyTheBody) {
-  const Body body = bodyWhere({81, 81, 21}, Vec3(0.6, 0.6, 2.4), [](const Vec3& p) { return (p - kCentre).norm() < kRadius; });
+  const Body body =
+      bodyWhere({81, 81, 21}, Vec3(0.6, 0.6, 2.4), [](const Vec3& p) { return (p - kBallCentre).norm() < kBallRadius; });
   EXPECT_LT(1.5 * meanAngle(planePoints(body, Sampling::Paper, 40)), meanAngle(planePoints(body, Sampling::Paper, 10)));
 }
 
@@ -72,36 +73,36 @@ TEST(PlaneNormals, OfASlabAreItsOwnAwayFromTheRim) {
 }
 
 TEST(PlaneNormals, AreUnitAndPointOutwardWithWeightsOfTheFacesArea) {
-  const Body body = ball();
+  const Body body = slicedBall();
   const OrientedPoints points = planePoints(body, Sampling::Unbiased);
   double area = 0;
   for (std::size_t n = 0; n < points.positions.size(); ++n) {
     EXPECT_NEAR(points.normals[n].norm(), 1, 1e-12);
     const Vec3 outward = body.geometry.direction.col(points.axes[n]) *
-                         (points.positions[n] - kCentre).dot(body.geometry.direction.col(points.axes[n]));
+                         (points.positions[n] - kBallCentre).dot(body.geometry.direction.col(points.axes[n]));
     EXPECT_GE(points.normals[n].dot(outward), 0);
     EXPECT_NEAR(points.weights[n], 0.64 * std::abs(points.normals[n][points.axes[n]]), 1e-9);
     area += points.weights[n];
   }
-  EXPECT_NEAR(area / (4 * std::numbers::pi * kRadius * kRadius), 1, 0.1);
+  EXPECT_NEAR(area / (4 * std::numbers::pi * kBallRadius * kBallRadius), 1, 0.1);
   const OrientedPoints centres = planePoints(body, Sampling::Paper);
   for (std::size_t n = 0; n < centres.positions.size(); ++n) {
-    EXPECT_GT(centres.normals[n].dot(centres.positions[n] - kCentre), 0);
+    EXPECT_GT(centres.normals[n].dot(centres.positions[n] - kBallCentre), 0);
     EXPECT_EQ(centres.weights[n], 1);
   }
 }
 
 TEST(PlaneNormals, AreAsGoodOnAnObliqueLeftHandedGrid) {
-  Body body = ball(1.6);
-  const double straight = meanAngle(planePoints(body, Sampling::Unbiased), kCentre);
+  Body body = slicedBall(1.6);
+  const double straight = meanAngle(planePoints(body, Sampling::Unbiased), kBallCentre);
   const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()).toRotationMatrix() * Vec3(1, 1, -1).asDiagonal();
   body.geometry.direction = turn;
   // Not to the byte: of neighbours as far away as each other rounding may choose another.
-  EXPECT_NEAR(meanAngle(planePoints(body, Sampling::Unbiased), turn * kCentre), straight, 0.5);
+  EXPECT_NEAR(meanAngle(planePoints(body, Sampling::Unbiased), turn * kBallCentre), straight, 0.5);
 }
 
 TEST(PlaneNormals, AreTheSameBytesForAnyNumberOfThreads) {
-  const Body body = ball(1.6);
+  const Body body = slicedBall(1.6);
   const auto make = [&](int threads) {
     const ThreadLimit limit(threads);
     return planePoints(body, Sampling::Paper);
@@ -128,7 +129,7 @@ TEST(PlaneNormals, OnALineStayThoseOfTheMask) {
 }
 
 TEST(PlaneNormals, WantThreeNeighboursAndStopOnCancel) {
-  const Body body = ball(1.6);
+  const Body body = slicedBall(1.6);
   const OrientedPoints points = sampleBoundary(body.mask, body.geometry, Sampling::Paper);
   EXPECT_THROW(withPlaneNormals(points, body.geometry, 2), std::invalid_argument);
   const ExecutionContext context;

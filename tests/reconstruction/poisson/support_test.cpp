@@ -11,6 +11,7 @@
 #include "reconstruction/errors.h"
 #include "reconstruction/mesh/self_intersection.h"
 #include "reconstruction/parallel.h"
+#include "tests/support/trials.h"
 
 namespace glisson::poisson {
 namespace {
@@ -130,7 +131,7 @@ TEST(Support, ThinCurvedAndAlmostTouchingBodiesStaySoundAndKeepTheirTopology) {
 TEST(Support, RandomBodiesGetNoNewCrossingsAndKeepTopologyAndVolume) {
   std::mt19937 random(2016);
   const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967295.0; };
-  for (int body = 0; body < 40; ++body) {
+  for (int body = 0; body < test::trials(40); ++body) {
     std::vector<Vec3> centres;
     std::vector<double> radii;
     for (int n = 0; n < 12; ++n) {

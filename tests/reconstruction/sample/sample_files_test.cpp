@@ -9,10 +9,10 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "reconstruction/errors.h"
+#include "reconstruction/json.h"
 #include "reconstruction/sample/sample_patient.h"
 #include "reconstruction/sample/volume_writers.h"
 
@@ -91,7 +91,7 @@ TEST_F(SampleFiles, CancelLeavesNothing) {
 
 TEST_F(SampleFiles, TruthHoldsVolumesAndBranchPoints) {
   writeSamplePatient(*patient_, folder_ / "a");
-  const auto json = nlohmann::json::parse(contentOf(folder_ / "a" / "truth.json"));
+  const auto json = Json::parse(contentOf(folder_ / "a" / "truth.json"));
   EXPECT_DOUBLE_EQ(json.at("liverMl").get<double>(), patient_->truth.liverMl);
   EXPECT_EQ(json.at("tumourMl").size(), 3U);
   EXPECT_EQ(json.at("portalBranchPointsMm").size(), patient_->truth.portalBranchPoints.size());
