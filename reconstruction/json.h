@@ -3,10 +3,13 @@
 // quarter of what each file that uses it would otherwise compile.
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace glisson {
 
 using Json = nlohmann::ordered_json;
+
+inline Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 }  // namespace glisson
 

@@ -1,6 +1,5 @@
 #include "reconstruction/reconstruct.h"
 
-#include <chrono>
 #include <cmath>
 
 #include "reconstruction/errors.h"
@@ -8,19 +7,12 @@
 #include "reconstruction/mesh/untangle.h"
 #include "reconstruction/methods/methods.h"
 #include "reconstruction/representation.h"
+#include "reconstruction/stopwatch.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
 
 namespace {
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// Takes over a Poisson surface; returns the side of its cells.
 double take(PoissonResult psr, Reconstruction& made) {
   made.mesh = std::move(psr.mesh);

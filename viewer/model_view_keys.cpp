@@ -7,8 +7,6 @@
 
 namespace glisson {
 
-namespace {}  // namespace
-
 void ModelView::stepPlane(const ResectionPlane& to) {
   emit planeDragStarted();
   setPlane(to);

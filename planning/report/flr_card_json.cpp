@@ -5,8 +5,6 @@
 namespace glisson {
 
 namespace {
-Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json fromRatio(const FlrRatio& ratio) {
   Json thresholds = Json::array();
   for (const FlrThreshold& threshold : ratio.thresholds) {

@@ -5,7 +5,6 @@
 namespace glisson {
 
 namespace {
-Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 Json pointOf(const Vec3& p) { return Json::array({p[0], p[1], p[2]}); }
 
 std::string_view textOf(BranchRole role) {

@@ -4,9 +4,7 @@
 
 namespace glisson {
 
-namespace {
-Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-}  // namespace
+namespace {}  // namespace
 
 std::string_view textOf(TumourState state) {
   switch (state) {

@@ -2,7 +2,6 @@
 // twig per set. Branches run on several threads, the most work first; each thread takes the next one when it is free.
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <map>
 #include <memory>
 
@@ -10,6 +9,7 @@
 #include "reconstruction/mcsd/mcsd_stages.h"
 #include "reconstruction/mesh/sharp_edges.h"
 #include "reconstruction/parallel.h"
+#include "reconstruction/stopwatch.h"
 
 namespace glisson {
 
@@ -28,10 +28,10 @@ struct Staged {
 /// `from` with the surface that `step` makes of it; its time is added to `seconds`.
 template <typename Step>
 Staged after(const Staged& from, double Staged::*seconds, Step&& step) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   Staged next = from;
   next.surface = std::make_shared<const IndexSurface>(step());
-  next.*seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  next.*seconds += stopwatch.seconds();
   return next;
 }
 

@@ -1,9 +1,9 @@
 // PSR whose normals come from planes through neighbouring boundary voxels instead of the mask's gradient.
-#include <chrono>
 
 #include "reconstruction/methods/method.h"
 #include "reconstruction/methods/plane_normals.h"
 #include "reconstruction/poisson/poisson.h"
+#include "reconstruction/stopwatch.h"
 
 namespace glisson {
 
@@ -12,11 +12,11 @@ namespace {
 constexpr int kManyNeighbours = 40;
 
 MethodSurface reconstructAt(int depth, int neighbours, const MethodInput& input, const ExecutionContext& context) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   context.report(0.0, "sample");
   const OrientedPoints points =
       withPlaneNormals(sampleBoundary(input.mask, input.geometry, input.sampling, context), input.geometry, neighbours, context);
-  const double sampleSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double sampleSeconds = stopwatch.seconds();
   const PoissonParameters parameters{.depth = depth, .sampling = input.sampling, .scale = input.scale};
   PoissonResult made = reconstructPoisson(points, input.geometry, parameters, context.range(0.4, 1.0));
   return {.mesh = std::move(made.mesh),

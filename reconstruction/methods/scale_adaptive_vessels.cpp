@@ -1,9 +1,9 @@
 // Vessels: the engine's scale-aware Poisson surface (docs/vessels.md), then triangles that follow the calibre.
-#include <chrono>
 
 #include "reconstruction/methods/graded_triangles.h"
 #include "reconstruction/methods/method.h"
 #include "reconstruction/reconstruct.h"
+#include "reconstruction/stopwatch.h"
 #include "reconstruction/text.h"
 
 namespace glisson {
@@ -27,10 +27,10 @@ MethodSurface reconstructWithin(double shareOfVoxel, const MethodInput& input, c
                         .sampleSeconds = made.sampleSeconds,
                         .solveSeconds = made.solveSeconds,
                         .extractSeconds = made.extractSeconds};
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   surface.mesh =
       gradeTriangles(made.mesh, kEdgeOverRadius, shareOfVoxel * input.geometry.spacing.minCoeff(), context.range(0.5, 1.0));
-  surface.simplifySeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  surface.simplifySeconds = stopwatch.seconds();
   return surface;
 }
 
