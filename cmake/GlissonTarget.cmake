@@ -16,11 +16,13 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
 if(GLISSON_SANITIZE)
   # With sanitizers GCC no longer sees what an optional's flag guards, and warns of values that are never read.
-  add_compile_options(-fsanitize=${GLISSON_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -Wno-maybe-uninitialized)
+  set(GLISSON_SANITIZER_OPTIONS -O1 -fsanitize=${GLISSON_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -Wno-maybe-uninitialized)
   if(NOT GLISSON_SANITIZE_ALL)
-    add_compile_options(-fno-sanitize=null,alignment,object-size)
+    list(APPEND GLISSON_SANITIZER_OPTIONS -fno-sanitize=null,alignment,object-size,vptr)
   endif()
-  add_link_options(-fsanitize=${GLISSON_SANITIZE})
+  # A room calls its own copy of a template or inline function, which has the sanitizer in it; a test's copy may not.
+  set(BUILD_SHARED_LIBS ON)
+  add_link_options(-fsanitize=${GLISSON_SANITIZE} LINKER:-Bsymbolic-functions)
 endif()
 if(GLISSON_COVERAGE)
   add_compile_options(--coverage -fprofile-update=atomic)
@@ -34,7 +36,7 @@ function(glisson_target name)
   cmake_parse_arguments(T "FEW_FILES" "REUSE_FROM" "" ${ARGN})
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
-                                         -Woverloaded-virtual -ffp-contract=off)
+                                         -Woverloaded-virtual -ffp-contract=off ${GLISSON_SANITIZER_OPTIONS})
   if(CMAKE_UNITY_BUILD)
     target_compile_options(${name} PRIVATE -Wno-subobject-linkage)  # a class in a .cpp may hold what only its file knows
   endif()

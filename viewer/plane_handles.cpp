@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "viewer/segment.h"
+
 namespace glisson {
 
 namespace {
@@ -14,13 +16,6 @@ constexpr double kLabelBelow = 26.0;      ///< where the arrow is seen end-on
 constexpr double kGraspPixels = 12.0;     ///< how near the mouse must be
 constexpr double kFallbackPixels = 60.0;  ///< reach of a tilt handle where the plane misses the liver
 constexpr double kEndOnCosine = 0.97;     ///< the arrow is seen end-on: its direction on the screen says nothing
-
-double distanceToSegment(const Pixel& point, const Pixel& a, const Pixel& b) {
-  const Pixel along = b - a;
-  const double squared = along.squaredNorm();
-  const double t = squared > 0 ? std::clamp((point - a).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (point - (a + t * along)).norm();
-}
 
 /// The point moved in the picture's plane, so that what stands around it is not cut off at the view's border.
 Vec3 insideView(const Vec3& point, const ViewCamera& camera, double halfWidth, double halfHeight) {

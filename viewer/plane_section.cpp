@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "reconstruction/mesh/planar_fill.h"
+#include "viewer/segment.h"
 
 namespace glisson {
 
@@ -214,12 +215,6 @@ void orient(std::vector<std::vector<Point2>>& loops) {
   }
 }
 
-double distanceToSegment(const Point2& p, const Point2& a, const Point2& b) {
-  const Point2 along = b - a;
-  const double squared = along.squaredNorm();
-  const double t = squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
-}
 }  // namespace
 
 SurfaceMesh filled(const std::vector<Loop>& loops, const BentSurface& surface, double stepMm) {

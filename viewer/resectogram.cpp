@@ -12,7 +12,7 @@ namespace glisson {
 
 namespace {
 
-constexpr int kWidth = 220;
+constexpr int kMapWidth = 220;
 constexpr int kHeight = 220;
 constexpr int kMargin = 6;
 constexpr int kSwatch = 12;
@@ -20,7 +20,7 @@ constexpr int kSwatchGap = 4;
 constexpr int kLegendLines = 3;
 const QColor kBack(20, 22, 26, 215);
 const QColor kPaper(219, 227, 237);
-const QColor kInk(230, 230, 230);
+const QColor kMapInk(230, 230, 230);
 
 QPainterPath pathOf(const std::vector<Loop>& loops, const PlaneGrid& grid) {
   QPainterPath path;
@@ -117,7 +117,7 @@ Resectogram::Resectogram(QWidget* parent) : QWidget(parent), fold_(new QToolButt
 
 QSize Resectogram::sizeHint() const {
   if (unfolded_) {
-    return {kWidth, kHeight};
+    return {kMapWidth, kHeight};
   }
   return {fontMetrics().horizontalAdvance(tr("Cut")) + fold_->width() + 3 * kMargin, fold_->height()};
 }
@@ -192,7 +192,7 @@ void Resectogram::paintEvent(QPaintEvent* /*event*/) {
     return;
   }
   const int line = fontMetrics().height();
-  painter.setPen(kInk);
+  painter.setPen(kMapInk);
   painter.drawText(QRect(kMargin, 2, fold_->x() - kMargin, line), Qt::AlignLeft, texts().front());
   if (!unfolded_) {
     return;
@@ -263,7 +263,7 @@ void Resectogram::drawLegend(QPainter& painter, const QRectF& box) const {
   const QStringList words = texts();
   const auto write = [&](double left, int row) {
     const QRectF place(left, box.y() + row * line, box.right() - left, line);
-    painter.setPen(kInk);
+    painter.setPen(kMapInk);
     painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft, words[1 + row]);
   };
   const auto entry = [&](int row, const QColor& colour, bool hatched) {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kMinZoom = 0.2;
 constexpr double kMaxZoom = 40.0;
-constexpr int kMargin = 4;  ///< pixels between the picture and the widget's border
+constexpr int kSliceMargin = 4;  ///< pixels between the picture and the widget's border
 constexpr double kOutlineWidth = 1.4;
 const QColor kSurfaceEdge(15, 16, 18);
 
@@ -98,7 +98,7 @@ struct SliceView::Impl {
 QTransform SliceView::Impl::toWidget() const {
   const double widthMm = geometry->columns() * geometry->columnSpacing();
   const double heightMm = geometry->rows() * geometry->rowSpacing();
-  const double fit = std::min((view->width() - 2 * kMargin) / widthMm, (view->height() - 2 * kMargin) / heightMm);
+  const double fit = std::min((view->width() - 2 * kSliceMargin) / widthMm, (view->height() - 2 * kSliceMargin) / heightMm);
   const double scale = zoom * std::max(fit, 1e-3);
   QTransform transform;
   transform.translate(0.5 * view->width() + pan.x(), 0.5 * view->height() + pan.y());
@@ -233,7 +233,7 @@ std::vector<QRectF> SliceView::Impl::drawTexts(QPainter& painter) const {
   taken.push_back(drawEdgedText(painter, box, Qt::AlignLeft | Qt::AlignBottom,
                                 SliceView::tr("%1 mm\nslice %2 of %3").arg(position).arg(number).arg(geometry->slices())));
   if (!ct && !noCt.isEmpty()) {
-    const QRectF below = box.adjusted(0, taken.front().height() + kMargin, 0, 0);
+    const QRectF below = box.adjusted(0, taken.front().height() + kSliceMargin, 0, 0);
     taken.push_back(drawEdgedText(painter, below, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap | Qt::TextWrapAnywhere, noCt));
   }
   if (ct) {

@@ -25,7 +25,7 @@ namespace {
 constexpr double kStepMm = 2;  ///< between the points of a tube: finer is not seen
 constexpr int kTubeSides = 6;
 
-struct Drawn {
+struct DrawnSites {
   vtkNew<vtkPolyData> lines;
   vtkNew<vtkTubeFilter> tubes;
   vtkNew<vtkPolyDataMapper> mapper;
@@ -51,7 +51,7 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& line) {
   return kept;
 }
 
-void addTube(Drawn& drawn, vtkDoubleArray* radii, const DrawnBranch& branch) {
+void addTube(DrawnSites& drawn, vtkDoubleArray* radii, const DrawnBranch& branch) {
   const std::vector<Vec3> line = thinned(branch.lineMm);
   if (line.size() < 2) {
     return;  // a tube has a length
@@ -103,8 +103,8 @@ void style(vtkTextProperty* text, const std::array<double, 3>& colour) {
   text->SetVerticalJustificationToBottom();
 }
 
-std::unique_ptr<Drawn> draw(const DrawnTerritory& territory, const Vec3& middle) {
-  auto drawn = std::make_unique<Drawn>();
+std::unique_ptr<DrawnSites> draw(const DrawnTerritory& territory, const Vec3& middle) {
+  auto drawn = std::make_unique<DrawnSites>();
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkDoubleArray> radii;
@@ -147,7 +147,7 @@ Rgb territoryColour(std::size_t place) {
 struct TerritoryActors::Impl {
   vtkRenderer* overlay = nullptr;
   std::vector<DrawnTerritory> territories;
-  std::vector<std::unique_ptr<Drawn>> drawn;
+  std::vector<std::unique_ptr<DrawnSites>> drawn;
 
   void clear() {
     for (const auto& each : drawn) {

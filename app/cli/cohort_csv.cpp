@@ -9,7 +9,7 @@ namespace glisson::cli {
 
 namespace {
 
-struct Column {
+struct CohortColumn {
   std::string name;
   std::function<std::string(const GatheredPatient&)> text;
 };
@@ -18,27 +18,27 @@ using Model = std::optional<ModelFigures>;
 using ModelOf = std::function<Model(const PatientFigures&)>;
 
 /// Empty where the patient was not evaluated.
-Column figure(std::string name, std::function<std::string(const PatientFigures&)> of) {
+CohortColumn figure(std::string name, std::function<std::string(const PatientFigures&)> of) {
   return {std::move(name), [of = std::move(of)](const GatheredPatient& patient) {
             return patient.state() == PatientState::Evaluated ? of(patient.outcome->figures) : std::string();
           }};
 }
 
-Column number(const std::string& name, const ModelOf& model, double ModelFigures::*value) {
+CohortColumn numberColumn(const std::string& name, const ModelOf& model, double ModelFigures::*value) {
   return figure(name, [model, value](const PatientFigures& figures) {
     const Model of = model(figures);
     return of ? formatExact((*of).*value) : std::string();
   });
 }
 
-void addNumbers(std::vector<Column>& columns, const std::string& prefix, const ModelOf& model) {
-  columns.push_back(number(prefix + "Triangles", model, &ModelFigures::triangles));
-  columns.push_back(number(prefix + "MeanErrorMm", model, &ModelFigures::meanErrorMm));
-  columns.push_back(number(prefix + "Score", model, &ModelFigures::score));
-  columns.push_back(number(prefix + "GaussianCurvaturePerMm2", model, &ModelFigures::gaussianCurvaturePerMm2));
+void addNumbers(std::vector<CohortColumn>& columns, const std::string& prefix, const ModelOf& model) {
+  columns.push_back(numberColumn(prefix + "Triangles", model, &ModelFigures::triangles));
+  columns.push_back(numberColumn(prefix + "MeanErrorMm", model, &ModelFigures::meanErrorMm));
+  columns.push_back(numberColumn(prefix + "Score", model, &ModelFigures::score));
+  columns.push_back(numberColumn(prefix + "GaussianCurvaturePerMm2", model, &ModelFigures::gaussianCurvaturePerMm2));
 }
 
-void addComparison(std::vector<Column>& columns, const std::string& suffix,
+void addComparison(std::vector<CohortColumn>& columns, const std::string& suffix,
                    std::optional<Comparison> (*compare)(const PatientFigures&)) {
   const auto add = [&](const std::string& name, double Comparison::*value) {
     columns.push_back(figure(name, [compare, value](const PatientFigures& figures) {
@@ -71,12 +71,13 @@ std::string joined(const std::vector<std::string>& texts) {
   return all;
 }
 
-std::vector<Column> allColumns(const GatheredCohort& cohort) {
-  std::vector<Column> columns{{"patient", [](const GatheredPatient& patient) { return patient.entry.name; }},
-                              {"task", [](const GatheredPatient& patient) { return std::to_string(patient.entry.number); }},
-                              {"line", [](const GatheredPatient& patient) { return std::to_string(patient.entry.line); }},
-                              {"segmentation", [](const GatheredPatient& patient) { return patient.entry.listedSegmentation; }},
-                              {"state", [](const GatheredPatient& patient) { return std::string(stateId(patient.state())); }}};
+std::vector<CohortColumn> allColumns(const GatheredCohort& cohort) {
+  std::vector<CohortColumn> columns{
+      {"patient", [](const GatheredPatient& patient) { return patient.entry.name; }},
+      {"task", [](const GatheredPatient& patient) { return std::to_string(patient.entry.number); }},
+      {"line", [](const GatheredPatient& patient) { return std::to_string(patient.entry.line); }},
+      {"segmentation", [](const GatheredPatient& patient) { return patient.entry.listedSegmentation; }},
+      {"state", [](const GatheredPatient& patient) { return std::string(stateId(patient.state())); }}};
   for (const auto& [name, model] : kChosen) {
     columns.push_back(figure(name, [of = model](const PatientFigures& figures) {
       const Model chosen = of(figures);
@@ -105,10 +106,10 @@ std::vector<Column> allColumns(const GatheredCohort& cohort) {
   columns.push_back(
       {"failure", [](const GatheredPatient& patient) { return patient.outcome ? patient.outcome->failure : std::string(); }});
   for (const auto& [name, model] : kChosen) {
-    columns.push_back(number(name + "Seconds", model, &ModelFigures::seconds));
+    columns.push_back(numberColumn(name + "Seconds", model, &ModelFigures::seconds));
   }
   for (const OtherDistributions& other : cohort.statistics.others) {
-    columns.push_back(number(
+    columns.push_back(numberColumn(
         other.id + "_Seconds", [id = other.id](const PatientFigures& figures) { return figures.other(id); },
         &ModelFigures::seconds));
   }
@@ -118,17 +119,17 @@ std::vector<Column> allColumns(const GatheredCohort& cohort) {
 }  // namespace
 
 std::string cohortCsv(const GatheredCohort& cohort) {
-  const std::vector<Column> columns = allColumns(cohort);
+  const std::vector<CohortColumn> columns = allColumns(cohort);
   std::vector<std::string> names;
   names.reserve(columns.size());
-  for (const Column& column : columns) {
+  for (const CohortColumn& column : columns) {
     names.push_back(column.name);
   }
   std::string csv = csvLine(names);
   for (const GatheredPatient& patient : cohort.patients) {
     std::vector<std::string> cells;
     cells.reserve(columns.size());
-    for (const Column& column : columns) {
+    for (const CohortColumn& column : columns) {
       cells.push_back(column.text(patient));
     }
     csv += csvLine(cells);

@@ -35,9 +35,9 @@ std::string inAddress(const std::string& name) {
   return address;
 }
 
-class Report {
+class CohortReport {
  public:
-  explicit Report(const GatheredCohort& cohort) : cohort_(cohort), statistics_(cohort.statistics) {
+  explicit CohortReport(const GatheredCohort& cohort) : cohort_(cohort), statistics_(cohort.statistics) {
     for (const GatheredPatient& patient : cohort.patients) {
       (patient.state() == PatientState::Evaluated ? evaluated_ : others_).push_back(&patient);
     }
@@ -81,7 +81,7 @@ class Report {
   std::vector<const GatheredPatient*> others_;
 };
 
-std::string Report::facts() const {
+std::string CohortReport::facts() const {
   const bool paper = cohort_.options.sampling == Sampling::Paper;
   return "<p class=\"faint\">" + ofPatients(statistics_.patients, cohort_.patients.size()) + " patients evaluated, " +
          std::to_string(cohort_.count(PatientState::Failed)) + " failed, " + std::to_string(cohort_.count(PatientState::Missing)) +
@@ -89,7 +89,7 @@ std::string Report::facts() const {
          formatNumber(cohort_.options.scale, 2) + " times the label \u00b7 glisson " + escaped(glissonVersion()) + "</p>\n";
 }
 
-std::string Report::cards() const {
+std::string CohortReport::cards() const {
   std::string html = "<div class=\"cards\">\n";
   const auto mostOften =
       std::max_element(statistics_.depths.begin(), statistics_.depths.end(),
@@ -109,7 +109,7 @@ std::string Report::cards() const {
   return html + "</div>\n";
 }
 
-std::string Report::missing() const {
+std::string CohortReport::missing() const {
   if (others_.empty()) {
     return {};
   }
@@ -120,7 +120,7 @@ std::string Report::missing() const {
   return htmlSection("Not in these numbers", "Patients of the list that could not be evaluated, or have not been.", list);
 }
 
-std::string Report::depths() const {
+std::string CohortReport::depths() const {
   std::vector<TableRow> rows;
   const auto add = [&](const std::string& heading, Distribution ModelDistributions::*numbers, int decimals) {
     TableRow row{heading, {}};
@@ -156,7 +156,7 @@ std::string Report::depths() const {
       htmlTable(depthHeadings(""), rows));
 }
 
-std::string Report::scores() const {
+std::string CohortReport::scores() const {
   std::vector<TableRow> rows;
   const auto cell = [](const Model& model) { return model ? Cell{formatNumber(model->score, 3), model->score} : Cell{"-"}; };
   for (const GatheredPatient* patient : evaluated_) {
@@ -175,7 +175,7 @@ std::string Report::scores() const {
       scorePlot(cohort_) + htmlTable(depthHeadings("Patient"), rows) + reports());
 }
 
-std::string Report::reports() const {
+std::string CohortReport::reports() const {
   std::string links;
   for (const GatheredPatient* patient : evaluated_) {
     links += (links.empty() ? "" : ", ") + ("<a href=\"" + inAddress(patient->entry.name) + "/report.html\">") +
@@ -184,7 +184,7 @@ std::string Report::reports() const {
   return "<p class=\"faint\">Reports: " + links + "</p>\n";
 }
 
-std::string Report::comparison() const {
+std::string CohortReport::comparison() const {
   std::vector<TableRow> rows;
   const auto triangles = [](const Model& model) { return Cell{model ? tickText(model->triangles) : "-"}; };
   const auto thousandths = [](const Model& model) { return Cell{model ? significant(1e3 * model->gaussianCurvaturePerMm2) : "-"}; };
@@ -220,7 +220,7 @@ std::string Report::comparison() const {
                 rows));
 }
 
-std::string Report::chosen() const {
+std::string CohortReport::chosen() const {
   const std::vector<std::pair<std::string, const ModelDistributions*>> columns{
       {"I best PSR", &statistics_.bestPsr},
       {"II most similar MCSD", &statistics_.mostSimilarMcsd},
@@ -243,7 +243,7 @@ std::string Report::chosen() const {
       htmlTable(headings, {triangles, error, score}));
 }
 
-std::string Report::others() const {
+std::string CohortReport::others() const {
   if (statistics_.others.empty()) {
     return {};
   }
@@ -266,7 +266,7 @@ std::string Report::others() const {
                      htmlTable({"", "Patients", "Objective score", "Mean error (mm)", "Triangles"}, rows));
 }
 
-std::string Report::times() const {
+std::string CohortReport::times() const {
   const TableRow row{"Mean of the patients",
                      {{withSpread(statistics_.bestPsr.seconds, 2)},
                       {withSpread(statistics_.mostSimilarMcsd.seconds, 2)},
@@ -278,7 +278,7 @@ std::string Report::times() const {
           "<!-- end of times -->\n");
 }
 
-std::string Report::notes() const {
+std::string CohortReport::notes() const {
   std::string failures;
   for (const GatheredPatient* patient : evaluated_) {
     for (const std::string& failure : figuresOf(patient).failures) {
@@ -293,6 +293,6 @@ std::string Report::notes() const {
 
 }  // namespace
 
-std::string cohortHtml(const GatheredCohort& cohort) { return Report(cohort).html(); }
+std::string cohortHtml(const GatheredCohort& cohort) { return CohortReport(cohort).html(); }
 
 }  // namespace glisson::cli

@@ -19,16 +19,16 @@ using lab::tickText;
 
 namespace {
 
-constexpr double kWidth = 920;
-constexpr double kHeight = 340;
-constexpr double kLeft = 64;
-constexpr double kRight = kWidth - 16;
-constexpr double kTop = 30;
-constexpr double kBottom = kHeight - 40;
+constexpr double kPlotWidth = 920;
+constexpr double kPlotHeight = 340;
+constexpr double kPlotLeft = 64;
+constexpr double kPlotRight = kPlotWidth - 16;
+constexpr double kPlotTop = 30;
+constexpr double kPlotBottom = kPlotHeight - 40;
 
 class Plot {
  public:
-  explicit Plot(const GatheredCohort& cohort) : cohort_(cohort), score_(0, greatestScore(), kBottom, kTop) {}
+  explicit Plot(const GatheredCohort& cohort) : cohort_(cohort), score_(0, greatestScore(), kPlotBottom, kPlotTop) {}
 
   [[nodiscard]] std::string content() const {
     std::string lines;
@@ -54,19 +54,19 @@ class Plot {
 
   /// Of the depths in turn, and of MCSD behind them.
   [[nodiscard]] double columnAt(std::size_t column) const {
-    return kLeft + (kRight - kLeft) * (static_cast<double>(column) + 0.5) / (static_cast<double>(depths().size()) + 1);
+    return kPlotLeft + (kPlotRight - kPlotLeft) * (static_cast<double>(column) + 0.5) / (static_cast<double>(depths().size()) + 1);
   }
 
   [[nodiscard]] std::string axes() const {
-    std::string content = svgText({kLeft - 48, kTop - 12}, "score", "start", "axis");
+    std::string content = svgText({kPlotLeft - 48, kPlotTop - 12}, "score", "start", "axis");
     for (const double tick : score_.ticks(5)) {
-      content += svgLine({kLeft, score_.at(tick)}, {kRight, score_.at(tick)}, "grid");
-      content += svgText({kLeft - 8, score_.at(tick) + 4}, tickText(tick), "end", "tick");
+      content += svgLine({kPlotLeft, score_.at(tick)}, {kPlotRight, score_.at(tick)}, "grid");
+      content += svgText({kPlotLeft - 8, score_.at(tick) + 4}, tickText(tick), "end", "tick");
     }
     for (std::size_t n = 0; n < depths().size(); ++n) {
-      content += svgText({columnAt(n), kBottom + 24}, "PSR d=" + std::to_string(depths()[n].depth), "middle", "tick");
+      content += svgText({columnAt(n), kPlotBottom + 24}, "PSR d=" + std::to_string(depths()[n].depth), "middle", "tick");
     }
-    return content + svgText({columnAt(depths().size()), kBottom + 24}, "best MCSD", "middle", "tick");
+    return content + svgText({columnAt(depths().size()), kPlotBottom + 24}, "best MCSD", "middle", "tick");
   }
 
   void add(const GatheredPatient& patient, std::string& lines, std::string& marks) const {
@@ -97,7 +97,7 @@ class Plot {
 }  // namespace
 
 std::string scorePlot(const GatheredCohort& cohort) {
-  return svgPicture(kWidth, kHeight, "Objective score over depth", Plot(cohort).content());
+  return svgPicture(kPlotWidth, kPlotHeight, "Objective score over depth", Plot(cohort).content());
 }
 
 }  // namespace glisson::cli

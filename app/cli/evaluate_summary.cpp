@@ -14,8 +14,6 @@ namespace {
 
 using Place = std::optional<std::size_t>;
 
-Json vectorJson(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
 Json modelJson(const Evaluation& evaluation, Place place) {
   if (!place) {
     return nullptr;

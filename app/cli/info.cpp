@@ -20,8 +20,6 @@ struct InfoFlags {
   InputFlags input;
 };
 
-Json vectorJson(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
 Json geometryJson(const ImageGeometry& geometry) {
   Json direction = Json::array();
   for (Eigen::Index row = 0; row < 3; ++row) {

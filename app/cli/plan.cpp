@@ -225,12 +225,12 @@ void editPlan(const PlanFlags& flags, Work& work, const ExecutionContext& contex
   }
 }
 
-struct Comparison {
+struct ComparedPlans {
   PlanComparison table;
   std::vector<std::string> differences;  ///< of two plans
 };
 
-std::optional<Comparison> compared(const PlanFlags& flags, Work& work, const PlanAssessor& assessor) {
+std::optional<ComparedPlans> compared(const PlanFlags& flags, Work& work, const PlanAssessor& assessor) {
   if (flags.compare.empty()) {
     return std::nullopt;
   }
@@ -248,7 +248,7 @@ std::optional<Comparison> compared(const PlanFlags& flags, Work& work, const Pla
   for (std::size_t n = 0; n < indices.size(); ++n) {
     plans.push_back({work.source.plans[indices[n]], assessments[n]});
   }
-  Comparison comparison{comparePlans(plans), {}};
+  ComparedPlans comparison{comparePlans(plans), {}};
   if (plans.size() == 2) {
     comparison.differences = differenceOf(plans[0], plans[1]);
   }
@@ -256,7 +256,7 @@ std::optional<Comparison> compared(const PlanFlags& flags, Work& work, const Pla
 }
 
 void show(const PlanFlags& flags, Work& work, const PlanAssessment& assessment, const std::vector<TumourMeasures>& tumours,
-          const std::optional<Comparison>& comparison, const TerritoryCommand* territories) {
+          const std::optional<ComparedPlans>& comparison, const TerritoryCommand* territories) {
   const FlrCard card = flrCard(work.source.patient, assessment);
   if (!flags.json) {
     std::cout << work.plan().name << ", safety margin " << formatExact(work.plan().safetyMarginMm) << " mm\n";
@@ -356,7 +356,7 @@ int runPlan(const PlanFlags& flags, const ExecutionContext& context) {
   for (const std::size_t resection : work.cut) {
     checkDivides(assessment, resection, work.source);
   }
-  const std::optional<Comparison> comparison = compared(flags, work, assessor);
+  const std::optional<ComparedPlans> comparison = compared(flags, work, assessor);
   std::optional<TerritoryCommand> territories;
   if (flags.territories.wanted) {
     territories.emplace(work.source, flags.territories, context);

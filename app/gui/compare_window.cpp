@@ -17,7 +17,7 @@ namespace glisson {
 
 namespace {
 
-constexpr std::size_t kMost = 4;
+constexpr std::size_t kMostCompared = 4;
 
 struct RowText {
   std::string_view id;
@@ -90,7 +90,7 @@ void CompareWindow::choose(std::vector<std::size_t> plans) {
     }
   }
   std::ranges::sort(plans);
-  plans.resize(std::min(plans.size(), kMost));
+  plans.resize(std::min(plans.size(), kMostCompared));
   chosen_ = std::move(plans);
   makeViews();
   refresh();
@@ -163,7 +163,7 @@ void CompareWindow::refresh() {
     QAction* action = menu->addAction(shownName(plans[plan].name));
     action->setCheckable(true);
     action->setChecked(std::ranges::find(chosen_, plan) != chosen_.end());
-    const bool free = action->isChecked() ? chosen_.size() > 2 : chosen_.size() < kMost;
+    const bool free = action->isChecked() ? chosen_.size() > 2 : chosen_.size() < kMostCompared;
     action->setEnabled(free);
     action->setToolTip(free ? QString() : tr("Two to four plans are compared."));
     connect(action, &QAction::triggered, this, [this, plan](bool wanted) {

@@ -12,7 +12,7 @@ namespace glisson {
 
 namespace {
 
-constexpr int kListHeight = 72;
+constexpr int kIslandListHeight = 72;
 
 PlanSide otherSide(PlanSide side) { return side == PlanSide::Resected ? PlanSide::Remnant : PlanSide::Resected; }
 
@@ -23,7 +23,7 @@ IslandBox::IslandBox(Document& document, QWidget* parent)
   setObjectName("islandBox");
   list_->setObjectName("islandList");
   makeNarrow(*list_, 2);
-  list_->setFixedHeight(kListHeight);
+  list_->setFixedHeight(kIslandListHeight);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 4);
   layout->addWidget(list_);

@@ -14,7 +14,7 @@
 namespace glisson {
 
 namespace {
-constexpr int kListHeight = 72;
+constexpr int kMeasureListHeight = 72;
 }
 
 MeasureBox::MeasureBox(Document& document, QWidget* parent)
@@ -26,7 +26,7 @@ MeasureBox::MeasureBox(Document& document, QWidget* parent)
   setObjectName("measureBox");
   list_->setObjectName("measureList");
   makeNarrow(*list_, 2);
-  list_->setFixedHeight(kListHeight);
+  list_->setFixedHeight(kMeasureListHeight);
   measure_->setObjectName("measureButton");
   remove_->setObjectName("removeMeasureButton");
   auto* layout = new QVBoxLayout(this);

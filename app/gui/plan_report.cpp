@@ -38,14 +38,14 @@ class ReportText {
   Q_DECLARE_TR_FUNCTIONS(glisson::ReportText)
 };
 
-QString cell(const QString& text, bool number = false) {
+QString reportCell(const QString& text, bool number = false) {
   return QStringLiteral("<td%1>%2</td>").arg(number ? QStringLiteral(" align=\"right\"") : QString(), text.toHtmlEscaped());
 }
 
 QString row(const QStringList& cells, int numbersFrom = 1) {
   QString html = QStringLiteral("<tr>");
   for (int n = 0; n < cells.size(); ++n) {
-    html += cell(cells[n], n >= numbersFrom);
+    html += reportCell(cells[n], n >= numbersFrom);
   }
   return html + QStringLiteral("</tr>");
 }

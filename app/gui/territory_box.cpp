@@ -17,7 +17,7 @@ namespace glisson {
 
 namespace {
 
-constexpr int kListHeight = 92;
+constexpr int kTerritoryListHeight = 92;
 
 QString mlOrUnknown(const std::optional<double>& ml) { return ml ? mlText(*ml, 1) : TerritoryBox::tr("not known"); }
 
@@ -116,7 +116,7 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
   notes_->setObjectName("territoryNotes");
   makeNarrow(*parts_, 3);
   parts_->setSelectionMode(QAbstractItemView::NoSelection);
-  parts_->setFixedHeight(kListHeight);
+  parts_->setFixedHeight(kTerritoryListHeight);
   perfusion_->setWordWrap(true);
   notes_->setWordWrap(true);
   notes_->setTextFormat(Qt::PlainText);  // a path from a case file stands in them

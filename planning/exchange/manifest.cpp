@@ -16,8 +16,6 @@ const std::string kZeros(64, '0');
 
 std::string hashOf(const std::string& text) { return sha256Hex(std::as_bytes(std::span(text))); }
 
-Json toArray(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
 Vec3 toVec(const Json& json) {
   const auto values = json.get<std::array<double, 3>>();
   return {values[0], values[1], values[2]};
@@ -46,7 +44,7 @@ std::string manifestText(const Manifest& manifest) {
     mesh["role"] = entry.role;
     mesh["triangles"] = f.triangles;
     mesh["closed"] = f.closed;
-    mesh["boundsMm"] = {{"low", toArray(f.bounds.low)}, {"high", toArray(f.bounds.high)}};
+    mesh["boundsMm"] = {{"low", vectorJson(f.bounds.low)}, {"high", vectorJson(f.bounds.high)}};
     mesh["areaMm2"] = f.areaMm2;
     mesh["volumeMm3"] = f.closed ? Json(f.volumeMm3) : Json();
     json["meshes"].push_back(std::move(mesh));

@@ -13,7 +13,6 @@ namespace glisson {
 
 namespace {
 
-Json toArray(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 std::string frameOfReference(const Case& source) {
@@ -63,11 +62,11 @@ Json resectionOf(const Case& source, const Resection& resection, std::size_t ind
   json["name"] = pseudonymous(resection.name, "Resection " + std::to_string(index + 1), source);
   json["planes"] = Json::array();
   for (const ResectionPlane& plane : resection.planes) {
-    json["planes"].push_back({{"originMm", toArray(plane.origin)}, {"normalToResectedSide", toArray(plane.normal)}});
+    json["planes"].push_back({{"originMm", vectorJson(plane.origin)}, {"normalToResectedSide", vectorJson(plane.normal)}});
     if (plane.bend) {
       // The surface is origin + U u + V v + h(U, V) normal, h the cubic Bezier surface of these heights.
-      json["planes"].back()["bend"] = {{"u", toArray(plane.bend->u)},
-                                       {"v", toArray(plane.normal.cross(plane.bend->u))},
+      json["planes"].back()["bend"] = {{"u", vectorJson(plane.bend->u)},
+                                       {"v", vectorJson(plane.normal.cross(plane.bend->u))},
                                        {"halfSizeMm", plane.bend->halfSizeMm},
                                        {"order", kBendOrder},
                                        {"heightsMm", plane.bend->heightsMm}};
@@ -101,8 +100,8 @@ Json measuresOf(const Case& source, const ResectionPlan& plan) {
   for (std::size_t n = 0; n < plan.measures.size(); ++n) {
     const Measure& measure = plan.measures[n];
     json.push_back({{"name", pseudonymous(measure.name, "Distance " + std::to_string(n + 1), source)},
-                    {"fromMm", toArray(measure.from)},
-                    {"toMm", toArray(measure.to)},
+                    {"fromMm", vectorJson(measure.from)},
+                    {"toMm", vectorJson(measure.to)},
                     {"distanceMm", measure.mm()}});
   }
   return json;

@@ -32,16 +32,16 @@ const auto kBands = std::to_array<TypeBand>({
     {TumourType::HepatocellularCarcinoma, {5, "below this: worse, in non-anatomical resections", "Dong 2016"}},
 });
 
-struct Range {
+struct CardRange {
   double low;
   double high;
   [[nodiscard]] bool holds(double value) const { return value >= low && value <= high; }
 };
-constexpr Range kHeightCm{120, 220};
-constexpr Range kWeightKg{30, 250};
-constexpr Range kBsaM2{1.2, 2.6};
+constexpr CardRange kHeightCm{120, 220};
+constexpr CardRange kWeightKg{30, 250};
+constexpr CardRange kBsaM2{1.2, 2.6};
 
-bool isAdult(const std::optional<double>& value, const Range& range) { return value && range.holds(*value); }
+bool isAdult(const std::optional<double>& value, const CardRange& range) { return value && range.holds(*value); }
 
 /// Why there is no standardised liver volume: what is missing first, then what is no adult's.
 void explainBody(const PatientFacts& facts, std::vector<std::string>& reasons) {

@@ -9,7 +9,6 @@
 namespace glisson::caseJson {
 
 namespace {
-Json fromVector(const Vec3& v) { return Json::array({v[0], v[1], v[2]}); }
 
 Vec3 toVector(const Json& json) {
   if (!json.is_array() || json.size() != 3) {
@@ -66,9 +65,7 @@ MeshDefects toDefects(const Json& json) {
   return d;
 }
 
-Json fromBend(const Bend& bend) {
-  return {{"u", fromVector(bend.u)}, {"halfSizeMm", bend.halfSizeMm}, {"heightsMm", bend.heightsMm}};
-}
+Json fromBend(const Bend& bend) { return {{"u", vectorJson(bend.u)}, {"halfSizeMm", bend.halfSizeMm}, {"heightsMm", bend.heightsMm}}; }
 
 /// Checked; what fromBend() wrote comes back bit for bit.
 Bend toBend(const Json& json, const HalfSpace& plane) {
@@ -128,7 +125,7 @@ Json fromPlans(const std::vector<ResectionPlan>& plans) {
     for (const Resection& resection : plan.resections) {
       Json planes = Json::array();
       for (const ResectionPlane& plane : resection.planes) {
-        planes.push_back({{"originMm", fromVector(plane.origin)}, {"normal", fromVector(plane.normal)}});
+        planes.push_back({{"originMm", vectorJson(plane.origin)}, {"normal", vectorJson(plane.normal)}});
         if (plane.bend) {
           planes.back()["bend"] = fromBend(*plane.bend);
         }
@@ -137,11 +134,10 @@ Json fromPlans(const std::vector<ResectionPlan>& plans) {
     }
     json.push_back({{"name", plan.name}, {"safetyMarginMm", plan.safetyMarginMm}, {"resections", resections}});
     for (const IslandAssignment& island : plan.islands) {
-      json.back()["islands"].push_back({{"pointMm", fromVector(island.point)}, {"toResected", island.to == PlanSide::Resected}});
+      json.back()["islands"].push_back({{"pointMm", vectorJson(island.point)}, {"toResected", island.to == PlanSide::Resected}});
     }
     for (const Measure& measure : plan.measures) {
-      json.back()["measures"].push_back(
-          {{"name", measure.name}, {"fromMm", fromVector(measure.from)}, {"toMm", fromVector(measure.to)}});
+      json.back()["measures"].push_back({{"name", measure.name}, {"fromMm", vectorJson(measure.from)}, {"toMm", vectorJson(measure.to)}});
     }
   }
   return json;
@@ -220,7 +216,7 @@ Json fromMarks(const TerritoryMarks& marks) {
   for (const TerritoryMark& mark : marks.marks) {
     Json points = Json::array();
     for (const Vec3& point : mark.pointsMm) {
-      points.push_back(fromVector(point));
+      points.push_back(vectorJson(point));
     }
     list.push_back({{"name", mark.name}, {"pointsMm", std::move(points)}});
   }
@@ -281,11 +277,10 @@ PatientIdentity toIdentity(const Json& json) {
 }
 
 Json fromGeometry(const ImageGeometry& g) {
-  return {
-      {"size", g.size},
-      {"spacingMm", fromVector(g.spacing)},
-      {"originMm", fromVector(g.origin)},
-      {"direction", Json::array({fromVector(g.direction.col(0)), fromVector(g.direction.col(1)), fromVector(g.direction.col(2))})}};
+  return {{"size", g.size},
+          {"spacingMm", vectorJson(g.spacing)},
+          {"originMm", vectorJson(g.origin)},
+          {"direction", Json::array({vectorJson(g.direction.col(0)), vectorJson(g.direction.col(1)), vectorJson(g.direction.col(2))})}};
 }
 
 ImageGeometry toGeometry(const Json& json) {

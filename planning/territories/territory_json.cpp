@@ -5,7 +5,6 @@
 namespace glisson {
 
 namespace {
-Json pointOf(const Vec3& p) { return Json::array({p[0], p[1], p[2]}); }
 
 std::string_view textOf(BranchRole role) {
   switch (role) {
@@ -22,7 +21,7 @@ std::string_view textOf(BranchRole role) {
 Json cutsOf(const std::vector<VesselCut>& cuts) {
   Json list = Json::array();
   for (const VesselCut& cut : cuts) {
-    list.push_back({{"branch", cut.branch}, {"positionMm", pointOf(cut.positionMm)}, {"diameterMm", 2 * cut.radiusMm}});
+    list.push_back({{"branch", cut.branch}, {"positionMm", vectorJson(cut.positionMm)}, {"diameterMm", 2 * cut.radiusMm}});
   }
   return list;
 }
@@ -38,8 +37,8 @@ Json branchesOf(const VesselGraph& graph) {
                     {"meanRadiusMm", branch.meanRadiusMm},
                     {"minRadiusMm", branch.minRadiusMm},
                     {"downstreamInLiverMm", branch.inLiverMm},
-                    {"fromMm", pointOf(branch.lineMm.front())},
-                    {"toMm", pointOf(branch.lineMm.back())}});
+                    {"fromMm", vectorJson(branch.lineMm.front())},
+                    {"toMm", vectorJson(branch.lineMm.back())}});
   }
   return list;
 }
@@ -74,7 +73,7 @@ std::string toJson(const PlanAssessment& assessment, const TerritoryReport& repo
   const auto& node = perfusion.portal().mainBifurcation;
   const VesselGraph& portal = perfusion.portal();
   estimates["mainBifurcationMm"] =
-      node ? pointOf(portal.sites[static_cast<std::size_t>(portal.nodes[static_cast<std::size_t>(*node)].site)].positionMm)
+      node ? vectorJson(portal.sites[static_cast<std::size_t>(portal.nodes[static_cast<std::size_t>(*node)].site)].positionMm)
            : Json(nullptr);
   estimates["portalBranches"] = branchesOf(portal);
   estimates["notes"] = report.notes;

@@ -138,8 +138,8 @@ class PathFinder {
 
   /// All voxels of the piece, nearest first: by length, or by cost, which also sets the parents.
   Voxels spread(std::int32_t from, bool byCost) {
-    using Entry = std::pair<double, std::int32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    using WayTo = std::pair<double, std::int32_t>;
+    std::priority_queue<WayTo, std::vector<WayTo>, std::greater<>> open;
     Voxels order;
     way_[at(from)] = 0;
     parent_[at(from)] = -1;

@@ -4,9 +4,7 @@
 
 namespace glisson {
 
-namespace {
-Json fromVector(const Vec3& v) { return Json::array({v[0], v[1], v[2]}); }
-}  // namespace
+namespace {}  // namespace
 
 std::string toJson(const MarginProposal& proposal) {
   const bool found = proposal.plane.has_value();
@@ -15,15 +13,15 @@ std::string toJson(const MarginProposal& proposal) {
   json["tumour"] = proposal.tumourId;
   json["name"] = proposal.tumourName;
   json["safetyMarginMm"] = proposal.safetyMarginMm;
-  json["plane"] = found ? Json{{"originMm", fromVector(proposal.plane->origin)}, {"normal", fromVector(proposal.plane->normal)}}
-                        : Json(nullptr);
+  json["plane"] =
+      found ? Json{{"originMm", vectorJson(proposal.plane->origin)}, {"normal", vectorJson(proposal.plane->normal)}} : Json(nullptr);
   json["resectedFunctionalMl"] = known(proposal.resectedFunctionalMl);
   json["marginMm"] = known(proposal.marginMm);
   json["marginAtLeastMm"] = known(proposal.marginAtLeastMm);
   json["vesselsCrossed"] = Json::array();
   for (const VesselCrossing& crossing : proposal.vessels) {
     json["vesselsCrossed"].push_back({{"name", crossing.name},
-                                      {"positionMm", fromVector(crossing.positionMm)},
+                                      {"positionMm", vectorJson(crossing.positionMm)},
                                       {"diameterMm", crossing.diameterMm},
                                       {"runsAlongCut", crossing.runsAlong}});
   }

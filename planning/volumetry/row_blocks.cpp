@@ -13,7 +13,7 @@ const Vec3 kBlockMm(10, 5, 5);
 
 using Place = std::array<int, 3>;
 
-struct Piece {
+struct BlockPiece {
   Place block;  ///< along k, j, i
   RowRun run;
   std::size_t origin = 0;
@@ -41,7 +41,7 @@ RowBlocks::RowBlocks(const VoxelRows& whole, const Vec3& spacing) {
   for (const RowRun& run : whole.runs) {
     first = {std::min(first[0], run.k), std::min(first[1], run.j), std::min(first[2], run.i)};
   }
-  std::vector<Piece> pieces;
+  std::vector<BlockPiece> pieces;
   for (std::size_t n = 0; n < whole.runs.size(); ++n) {
     const RowRun& run = whole.runs[n];
     for (int i = run.i; i < run.i + run.n;) {
@@ -51,7 +51,7 @@ RowBlocks::RowBlocks(const VoxelRows& whole, const Vec3& spacing) {
       i = end;
     }
   }
-  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.block < b.block; });
+  std::stable_sort(pieces.begin(), pieces.end(), [](const BlockPiece& a, const BlockPiece& b) { return a.block < b.block; });
   rows.voxels = whole.voxels;
   rows.runs.reserve(pieces.size());
   origin.reserve(pieces.size());

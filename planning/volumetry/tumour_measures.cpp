@@ -128,7 +128,7 @@ Surroundings surroundingsOf(const Mask& mask, const Index3& imageSize) {
   return around;
 }
 
-const Mask* maskOf(const Case& source, const Structure& structure) {
+const Mask* lesionMaskOf(const Case& source, const Structure& structure) {
   const auto& masks = source.segmentation->structures;
   const auto index = static_cast<std::size_t>(structure.sourceIndex);
   const bool has = structure.sourceIndex >= 0 && index < masks.size() && masks[index].mask && !masks[index].mask->empty();
@@ -148,13 +148,13 @@ std::vector<TumourMeasures> tumourMeasures(const Case& source, const ExecutionCo
   const RowFinder beyond(around.beyond, geometry.spacing);
   std::vector<Vessel> vessels;
   for (const Structure& structure : source.model->structures) {
-    if (const Mask* mask = maskOf(source, structure); mask != nullptr && isVessel(structure.kind)) {
+    if (const Mask* mask = lesionMaskOf(source, structure); mask != nullptr && isVessel(structure.kind)) {
       vessels.push_back({&structure, RowFinder(rowsOf(*mask), geometry.spacing)});
     }
   }
   std::vector<TumourMeasures> measures;
   for (const Structure& structure : source.model->structures) {
-    const Mask* mask = maskOf(source, structure);
+    const Mask* mask = lesionMaskOf(source, structure);
     if (mask == nullptr || !isLesion(structure.kind)) {
       continue;
     }
@@ -186,15 +186,14 @@ std::vector<TumourMeasures> tumourMeasures(const Case& source, const ExecutionCo
 }
 
 std::string toJson(const std::vector<TumourMeasures>& measures) {
-  const auto fromVector = [](const Vec3& v) { return Json::array({v[0], v[1], v[2]}); };
   Json json = Json::array();
   for (const TumourMeasures& m : measures) {
     json.push_back({{"id", m.id},
                     {"name", m.name},
                     {"volumeMl", m.volumeMl},
                     {"longestDiameterMm", m.longestDiameterMm},
-                    {"diameterFromMm", fromVector(m.diameterFrom)},
-                    {"diameterToMm", fromVector(m.diameterTo)},
+                    {"diameterFromMm", vectorJson(m.diameterFrom)},
+                    {"diameterToMm", vectorJson(m.diameterTo)},
                     {"capsuleMm", m.capsuleMm},
                     {"capsuleBeyondImage", m.capsuleBeyondImage},
                     {"nearestVessel", m.vesselMm ? Json(m.nearestVessel) : Json(nullptr)},

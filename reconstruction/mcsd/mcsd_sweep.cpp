@@ -36,7 +36,7 @@ Staged after(const Staged& from, double Staged::*seconds, Step&& step) {
 }
 
 /// Sets that have their first stage in common.
-struct Branch {
+struct SweepBranch {
   McsdOrder order = McsdOrder::DecimateFirst;
   double decimation = 0.0;                         ///< of DecimateFirst
   SmoothingFilter filter = SmoothingFilter::Sinc;  ///< of SmoothFirst
@@ -66,8 +66,8 @@ class Sweep {
   Sweep(const ImageGeometry& geometry, std::span<const McsdParameters> sets, const McsdVisitor& visit)
       : geometry_(geometry), parameters_(sets), visit_(visit) {}
 
-  [[nodiscard]] std::vector<Branch> branches() const;
-  void run(const Branch& branch, const Staged& extracted, const ExecutionContext& context) const;
+  [[nodiscard]] std::vector<SweepBranch> branches() const;
+  void run(const SweepBranch& branch, const Staged& extracted, const ExecutionContext& context) const;
 
  private:
   /// `sets` told apart by `key`, in ascending order of it.
@@ -93,25 +93,25 @@ class Sweep {
   const McsdVisitor& visit_;
 };
 
-std::vector<Branch> Sweep::branches() const {
+std::vector<SweepBranch> Sweep::branches() const {
   constexpr double kStageWork = 20.0;  // a decimation or a check costs about as much as 20 iterations
-  std::map<std::pair<int, double>, Branch> found;
+  std::map<std::pair<int, double>, SweepBranch> found;
   for (std::size_t set = 0; set < parameters_.size(); ++set) {
     const McsdParameters& p = parameters_[set];
     const bool decimateFirst = p.order == McsdOrder::DecimateFirst;
-    Branch& branch = found[decimateFirst ? std::pair(0, p.decimation) : std::pair(1 + static_cast<int>(p.filter), 0.0)];
+    SweepBranch& branch = found[decimateFirst ? std::pair(0, p.decimation) : std::pair(1 + static_cast<int>(p.filter), 0.0)];
     branch.order = p.order;
     branch.decimation = p.decimation;
     branch.filter = p.filter;
     branch.sets.push_back(set);
     branch.work += kStageWork + p.smoothing * (decimateFirst ? 1.0 - p.decimation : 1.0);
   }
-  std::vector<Branch> branches;
+  std::vector<SweepBranch> branches;
   branches.reserve(found.size());
   for (auto& [key, branch] : found) {
     branches.push_back(std::move(branch));
   }
-  std::stable_sort(branches.begin(), branches.end(), [](const Branch& a, const Branch& b) { return a.work > b.work; });
+  std::stable_sort(branches.begin(), branches.end(), [](const SweepBranch& a, const SweepBranch& b) { return a.work > b.work; });
   return branches;
 }
 
@@ -172,7 +172,7 @@ void Sweep::finish(const Staged& made, const Sets& sets, const ExecutionContext&
   }
 }
 
-void Sweep::run(const Branch& branch, const Staged& extracted, const ExecutionContext& context) const {
+void Sweep::run(const SweepBranch& branch, const Staged& extracted, const ExecutionContext& context) const {
   Steps steps(context, branch.sets.size());
   if (branch.order == McsdOrder::SmoothFirst) {
     (void)steps.next(1);
@@ -200,12 +200,12 @@ void sweepMcsd(const Mask& mask, const ImageGeometry& geometry, std::span<const 
     return;
   }
   const Sweep sweep(geometry, sets, visit);
-  const std::vector<Branch> branches = sweep.branches();
+  const std::vector<SweepBranch> branches = sweep.branches();
   const double extractShare = 0.3 / static_cast<double>(sets.size());
   const Staged extracted =
       after({}, &Staged::extractSeconds, [&] { return mcsd::extractSurface(mask, context.range(0.0, extractShare)); });
   std::vector<double> start{0.0};
-  for (const Branch& branch : branches) {
+  for (const SweepBranch& branch : branches) {
     start.push_back(start.back() + branch.work);
   }
   std::atomic<std::size_t> next{0};

@@ -12,7 +12,7 @@ namespace glisson {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024;
+constexpr std::size_t kRadiiGrain = 1024;
 
 /// Outward, by area, smoothed over the neighbours so that a voxel's steps count little.
 std::vector<Vec3> smoothNormals(const SurfaceMesh& mesh) {
@@ -67,7 +67,7 @@ std::vector<double> medians(const std::vector<double>& radii, const std::vector<
   constexpr double kReach = 0.7;
   constexpr double kMostMm = 4;
   std::vector<double> smooth(radii.size());
-  parallelFor(radii.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(radii.size(), kRadiiGrain, [&](std::size_t begin, std::size_t end) {
     context.throwIfCancelled();
     std::vector<std::uint32_t> near;
     std::vector<double> values;
@@ -94,7 +94,7 @@ std::vector<double> localRadii(const SurfaceMesh& mesh, const ExecutionContext& 
   const Bounds bounds = boundsOf(mesh);
   const double most = 0.5 * (bounds.high - bounds.low).minCoeff();
   std::vector<double> radii(mesh.vertices.size());
-  parallelFor(radii.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(radii.size(), kRadiiGrain, [&](std::size_t begin, std::size_t end) {
     context.throwIfCancelled();
     std::vector<std::uint32_t> near;
     for (std::size_t v = begin; v < end; ++v) {

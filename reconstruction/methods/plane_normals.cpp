@@ -11,7 +11,7 @@ namespace glisson {
 
 namespace {
 
-constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kNormalsGrain = 2048;
 
 /// The direction in which the points vary least; nothing where they lie on a line.
 std::optional<Vec3> planeNormal(const OrientedPoints& points, const std::vector<std::uint32_t>& near) {
@@ -41,7 +41,7 @@ OrientedPoints withPlaneNormals(OrientedPoints points, const ImageGeometry& geom
     throw std::invalid_argument("withPlaneNormals: a plane wants three neighbours at least");
   }
   const PointTree tree(points.positions);
-  parallelFor(points.positions.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(points.positions.size(), kNormalsGrain, [&](std::size_t begin, std::size_t end) {
     context.throwIfCancelled();
     std::vector<std::uint32_t> near;
     for (std::size_t n = begin; n < end; ++n) {

@@ -9,13 +9,13 @@ namespace glisson::poisson {
 
 namespace {
 
-constexpr std::size_t kGrain = 32;  // blocks a piece: far below 100 ms of work, so a cancel is seen in time
+constexpr std::size_t kOperatorsGrain = 32;  // blocks a piece: far below 100 ms of work, so a cancel is seen in time
 constexpr std::size_t kSheet = std::size_t{kBlock} * kBlock;
 constexpr float kSixth = 1.0F / 6.0F;
 
 template <typename Body>
 void forBlocks(const BlockGrid& grid, const ExecutionContext& context, Body&& body) {
-  parallelFor(grid.blockCount(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(grid.blockCount(), kOperatorsGrain, [&](std::size_t begin, std::size_t end) {
     context.throwIfCancelled();
     for (std::size_t slot = begin; slot < end; ++slot) {
       body(slot);

@@ -8,13 +8,13 @@ namespace glisson::poisson {
 
 namespace {
 
-constexpr std::size_t kGrain = 64;  // blocks a piece in vector loops
+constexpr std::size_t kSolveGrain = 64;  // blocks a piece in vector loops
 
 /// Calls body(n) for the first node of every block and adds what it gives, in a fixed order: the same for any number of threads.
 template <typename Body>
 double sumOverBlocks(std::size_t nodes, const Body& body) {
   std::vector<double> parts(nodes / kBlockNodes);
-  parallelFor(parts.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(parts.size(), kSolveGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin; block < end; ++block) {
       parts[block] = body(block * kBlockNodes);
     }
@@ -59,7 +59,7 @@ double step(Field& x, Field& r, const Field& p, const Field& ap, float alpha) {
 
 /// p = r + beta p.
 void turn(Field& p, float beta, const Field& r) {
-  parallelFor(p.size() / kBlockNodes, kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(p.size() / kBlockNodes, kSolveGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin * kBlockNodes; n < end * kBlockNodes; ++n) {
       p[n] = beta * p[n] + r[n];
     }

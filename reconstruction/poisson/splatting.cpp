@@ -9,7 +9,7 @@ namespace glisson::poisson {
 
 namespace {
 
-constexpr std::size_t kGrain = 8;           // blocks a piece
+constexpr std::size_t kSplattingGrain = 8;  // blocks a piece
 constexpr std::size_t kSampleGrain = 8192;  // samples a piece
 
 std::uint32_t spread(std::uint32_t v) {  // bits of v, two zeros after each
@@ -89,7 +89,7 @@ void forBlocksOfSamples(const CubeSamples& samples, int level, const ExecutionCo
     passes[static_cast<std::size_t>((block[0] & 1) + 2 * (block[1] & 1) + 4 * (block[2] & 1))].push_back(r);
   }
   for (const auto& pass : passes) {
-    parallelFor(pass.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelFor(pass.size(), kSplattingGrain, [&](std::size_t begin, std::size_t end) {
       context.throwIfCancelled();
       for (std::size_t n = begin; n < end; ++n) {
         splatBlock(starts[pass[n]], starts[pass[n] + 1], samples.blockOf(starts[pass[n]], level));
@@ -221,7 +221,7 @@ std::vector<float> valuesAt(const CubeSamples& samples, const BlockGrid& grid, c
   const float scale = 1.0F / static_cast<float>(1 << (samples.depth - grid.level()));
   constexpr auto kSteps = cornerSteps(kHalo);
   std::vector<float> values(samples.positions.size());
-  parallelFor(starts.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
+  parallelFor(starts.size() - 1, kSplattingGrain, [&](std::size_t begin, std::size_t end) {
     context.throwIfCancelled();
     for (std::size_t r = begin; r < end; ++r) {
       const Coord block = samples.blockOf(starts[r], grid.level());

@@ -129,10 +129,10 @@ void readIdentity(DcmItem& data, DicomSlice& slice) {
 
 /// Files that lie beside slices without being one: notes, viewers, pictures.
 bool isCompanion(const fs::path& path) {
-  constexpr std::array kEndings{".txt", ".xml", ".json", ".csv", ".html", ".htm", ".inf", ".ini", ".exe", ".dll", ".jpg",
-                                ".png", ".pdf", ".md",   ".log", ".bat",  ".db",  ".js",  ".css", ".sh",  ".zip", ".sha256"};
+  constexpr std::array kCompanions{".txt", ".xml", ".json", ".csv", ".html", ".htm", ".inf", ".ini", ".exe", ".dll", ".jpg",
+                                   ".png", ".pdf", ".md",   ".log", ".bat",  ".db",  ".js",  ".css", ".sh",  ".zip", ".sha256"};
   const std::string ending = toLower(path.extension().string());
-  return std::ranges::any_of(kEndings, [&](const char* known) { return ending == known; });
+  return std::ranges::any_of(kCompanions, [&](const char* known) { return ending == known; });
 }
 
 std::string withoutDigits(const fs::path& path) {

@@ -19,7 +19,7 @@ struct MetaHeader {
   std::uint64_t offset = 0;
 };
 
-MetaHeader parseHeader(const std::filesystem::path& path) {
+MetaHeader parseMetaHeader(const std::filesystem::path& path) {
   const TextHeader text =
       readTextHeader(path, [](std::string_view line) { return toLower(line.substr(0, 16)).starts_with("elementdatafile"); });
   MetaHeader header;
@@ -62,7 +62,7 @@ bool isBigEndian(const MetaHeader& header) {
   return isTrue(field(header, {"elementbyteordermsb", "binarydatabyteordermsb"}, "False"));
 }
 
-Scalar scalarOf(const std::string& name, const std::string& type) {
+Scalar scalarOfMetaImage(const std::string& name, const std::string& type) {
   static const std::map<std::string, Scalar> kTypes{
       {"MET_UCHAR", Scalar::U8},  {"MET_CHAR", Scalar::I8},       {"MET_USHORT", Scalar::U16},     {"MET_SHORT", Scalar::I16},
       {"MET_UINT", Scalar::U32},  {"MET_INT", Scalar::I32},       {"MET_ULONG", Scalar::U32},      {"MET_LONG", Scalar::I32},
@@ -143,12 +143,12 @@ ItkFile headerForItk(const std::string& name, const ItkFolder& folder, const Met
 
 ImageFile readMetaImage(const std::filesystem::path& path, const ReadOptions& options, Extent extent) {
   const std::string name = path.string();
-  const MetaHeader header = parseHeader(path);
+  const MetaHeader header = parseMetaHeader(path);
   if (const std::string type = field(header, {"objecttype"}, "Image"); type != "Image") {
     throw InputError(name + " is a MetaIO file of type \"" + type + "\", not an image; give the image.");
   }
   ImageFile file;
-  file.scalar = scalarOf(name, field(header, {"elementtype"}, ""));
+  file.scalar = scalarOfMetaImage(name, field(header, {"elementtype"}, ""));
   setGrid(name, header, options, file);
   file.bigEndian = isBigEndian(header);
   if (!isTrue(field(header, {"binarydata"}, "True")) || field(header, {"headersize"}, "0") != "0") {

@@ -43,7 +43,7 @@ std::string unescaped(const std::string& text) {
   return plain;
 }
 
-NrrdHeader parseHeader(const std::filesystem::path& path) {
+NrrdHeader parseNrrdHeader(const std::filesystem::path& path) {
   const TextHeader text = readTextHeader(path, [](std::string_view line) { return line.empty(); });
   if (!text.lines.front().starts_with("NRRD000")) {
     throw InputError(path.string() + " is not a NRRD file although its name says so; export it again.");
@@ -78,7 +78,7 @@ std::string optional(const NrrdHeader& header, const std::string& key) {
   return found == header.fields.end() ? std::string() : found->second;
 }
 
-Scalar scalarOf(const std::string& name, const std::string& type) {
+Scalar scalarOfNrrd(const std::string& name, const std::string& type) {
   static const std::map<std::string, Scalar> kTypes{{"signed char", Scalar::I8},
                                                     {"int8", Scalar::I8},
                                                     {"int8_t", Scalar::I8},
@@ -295,9 +295,9 @@ ItkFile headerForItk(const std::string& name, const ItkFolder& folder, const Nrr
 
 ImageFile readNrrd(const std::filesystem::path& path, const ReadOptions& options, Extent extent) {
   const std::string name = path.string();
-  const NrrdHeader header = parseHeader(path);
+  const NrrdHeader header = parseNrrdHeader(path);
   ImageFile file;
-  file.scalar = scalarOf(name, toLower(require(name, header, "type")));
+  file.scalar = scalarOfNrrd(name, toLower(require(name, header, "type")));
   ItkInput itk;
   setGrid(name, header, options, file, itk);
   setSegments(name, header, file);

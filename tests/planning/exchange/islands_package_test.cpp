@@ -18,12 +18,8 @@
 namespace glisson {
 namespace {
 using namespace test;
-Inside box(const Vec3& low, const Vec3& high) {
-  return [=](const Vec3& p) { return (p.array() > low.array()).all() && (p.array() < high.array()).all(); };
-}
-
 /// A bar along x with two legs up z at its ends, of 40 and 30 mm: a plane across the legs leaves two pieces above it.
-Case archLiver() {
+Case archModel() {
   const ImageGeometry g = gridOf({46, 18, 44}, Vec3(1.5, 1.5, 1.5), Vec3(-4, -3, -4));
   const Inside bar = box(Vec3(0, 0, 0), Vec3(60, 20, 15));
   const Inside longLeg = box(Vec3(0, 0, 0), Vec3(15, 20, 55));
@@ -34,7 +30,7 @@ Case archLiver() {
   return buildModel(made);
 }
 
-const HalfSpace kAcrossLegs{Vec3(30, 10, 25.3), Vec3::UnitZ()};
+const HalfSpace kAcrossWideLegs{Vec3(30, 10, 25.3), Vec3::UnitZ()};
 
 struct Exported {
   std::filesystem::path folder;
@@ -54,11 +50,11 @@ Exported exported(Case source, const ResectionPlan& plan, const std::filesystem:
 }
 
 TEST(IslandsInPackages, AreMeshesOfTheSideTheyAreGivenTo) {
-  const Case source = archLiver();
+  const Case source = archModel();
   const PlanAssessor assessor(source);
   for (const bool up : {true, false}) {
     const Scratch scratch;
-    const ResectionPlan plan = planOf({{up ? kAcrossLegs : flipped(kAcrossLegs)}});
+    const ResectionPlan plan = planOf({{up ? kAcrossWideLegs : flipped(kAcrossWideLegs)}});
     const IslandAssessment island = assessor.assess(plan).islands.at(0);
     const PlanSide to = up ? PlanSide::Remnant : PlanSide::Resected;
     const ResectionPlan given = apply(plan, AssignIsland{{island.point, to}});
@@ -80,7 +76,7 @@ TEST(IslandsInPackages, AreMeshesOfTheSideTheyAreGivenTo) {
 
 TEST(IslandsInPackages, OneThatIsGivenToNobodyIsPartOfItsSideAsThePlanesLeaveIt) {
   const Scratch scratch;
-  const Exported made = exported(archLiver(), planOf({{kAcrossLegs}}), scratch.path);
+  const Exported made = exported(archModel(), planOf({{kAcrossWideLegs}}), scratch.path);
   EXPECT_EQ(made.plan["remnant"], Json::array({"remnant"}));
   EXPECT_TRUE(std::filesystem::exists(made.folder / "resected_01.stl"));
 }
@@ -90,11 +86,11 @@ TEST(IslandsInPackages, OneThatHangsTogetherWithTheRestOnTheSurfaceIsRefused) {
   IslandAssessment island{PlanSide::Resected, true, 1.5, 1.5, Vec3(0, 0, 0)};
   std::vector<ResectedPart> parts{{{sphere(Vec3(0, 0, 0), 20, 2), sphere(Vec3(100, 0, 0), 20, 2)}, sphere(Vec3(0, 0, 0), 1, 1)}};
   std::vector<SurfaceMesh> remnant;
-  EXPECT_THROW(moveIslands({island}, planOf({{kAcrossLegs}}), noArea, parts, remnant), PlanningError) << "33 mL around 1.5";
+  EXPECT_THROW(moveIslands({island}, planOf({{kAcrossWideLegs}}), noArea, parts, remnant), PlanningError) << "33 mL around 1.5";
   island.point = Vec3(0, 300, 0);
-  EXPECT_THROW(moveIslands({island}, planOf({{kAcrossLegs}}), noArea, parts, remnant), PlanningError) << "nothing there";
+  EXPECT_THROW(moveIslands({island}, planOf({{kAcrossWideLegs}}), noArea, parts, remnant), PlanningError) << "nothing there";
   island.assigned = false;
-  moveIslands({island}, planOf({{kAcrossLegs}}), noArea, parts, remnant);
+  moveIslands({island}, planOf({{kAcrossWideLegs}}), noArea, parts, remnant);
   EXPECT_TRUE(remnant.empty());
 }
 
@@ -112,7 +108,7 @@ TEST(IslandsInPackages, ACavityGoesWithItsIsland) {
   }
   std::vector<ResectedPart> parts{{{both}, sphere(Vec3(0, 0, 0), 1, 1)}};
   std::vector<SurfaceMesh> remnant;
-  moveIslands({{PlanSide::Resected, true, 4, 4, Vec3(94, 0, 0)}}, planOf({{kAcrossLegs}}), noArea, parts, remnant);
+  moveIslands({{PlanSide::Resected, true, 4, 4, Vec3(94, 0, 0)}}, planOf({{kAcrossWideLegs}}), noArea, parts, remnant);
   ASSERT_EQ(remnant.size(), 1U);
   std::uint32_t shells = 0;
   componentOfTriangles(remnant[0], shells);

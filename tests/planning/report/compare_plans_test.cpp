@@ -13,7 +13,7 @@ namespace glisson {
 namespace {
 using namespace test;
 
-Case ballLiver() {
+Case ballWithMetastasis() {
   const ImageGeometry g = gridOf({70, 70, 30}, Vec3(1, 1, 2.5));
   const Vec3 c(34, 34, 36);
   return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, ball(c, 30)},
@@ -38,7 +38,7 @@ const ComparedRow& rowOf(const PlanComparison& comparison, std::string_view id) 
 
 class ComparePlans : public ::testing::Test {
  protected:
-  ComparePlans() : assessor_(ballLiver()) {}
+  ComparePlans() : assessor_(ballWithMetastasis()) {}
 
   /// Assessments live as long as the test.
   AssessedPlan assessed(const ResectionPlan& plan) {

@@ -18,7 +18,7 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-Case ballCase() {
+Case smallBallCase() {
   const ImageGeometry g = gridOf({20, 20, 20}, Vec3(1, 1, 1));
   return newCase(nullptr, segmentationOf(g, {{"liver", StructureKind::Liver, ball(Vec3(10, 10, 10), 6)}}));
 }
@@ -44,7 +44,7 @@ std::int64_t versionOf(const fs::path& path) {
 /// A file as version 1 wrote it: without the patient and without names of edits.
 fs::path versionOne(const fs::path& folder) {
   fs::path file = folder / "old.glisson";
-  Case made = ballCase();
+  Case made = smallBallCase();
   made.plans = {planAt(10)};
   { CaseFile::create(file, made); }
   runSql(file,
@@ -78,7 +78,7 @@ void forgeDocument(const fs::path& path, const char* key, const std::string& fro
 }
 
 Case acceptedCase(const Acceptance& acceptance) {
-  Case made = ballCase();
+  Case made = smallBallCase();
   auto surface = std::make_shared<Reconstruction>();
   surface->parameters = ReconstructionParameters::defaultsFor(StructureKind::Liver);
   made.model = withStructure(*made.model, withReconstruction(*made.model->find("parenchyma"), surface));
@@ -148,7 +148,7 @@ TEST(CasePatient, ComesBackAsItWasStoredAndEmptiedAgain) {
   const Scratch scratch;
   const fs::path file = scratch.path / "a.glisson";
   {
-    CaseFile made = CaseFile::create(file, ballCase());
+    CaseFile made = CaseFile::create(file, smallBallCase());
     EXPECT_EQ(made.load().patient, PatientFacts());
     made.storePatient(kFacts);
   }
@@ -164,7 +164,7 @@ TEST(CasePatient, EditsComeBackWithTheirUndoRecordAmongThoseOfThePlans) {
   const fs::path file = scratch.path / "a.glisson";
   const PatientFacts taller{180, std::nullopt, std::nullopt, std::nullopt};
   {
-    CaseFile made = CaseFile::create(file, ballCase());
+    CaseFile made = CaseFile::create(file, smallBallCase());
     made.storePlans({planAt(9)}, "place plane");
     made.storePatient(kFacts, "change patient facts");
     made.storePatient(kFacts, "change patient facts");
@@ -194,7 +194,7 @@ TEST(CasePatient, EditsComeBackWithTheirUndoRecordAmongThoseOfThePlans) {
 TEST(CasePatient, FileFromBeforeItsEditsWereRecordedOpensAndRecordsTheNextOne) {
   const Scratch scratch;
   const fs::path file = scratch.path / "a.glisson";
-  Case source = ballCase();
+  Case source = smallBallCase();
   source.patient = kFacts;
   { CaseFile::create(file, source).storePlans({planAt(9)}, "place plane"); }
   runSql(file,
@@ -214,7 +214,7 @@ TEST(CasePatient, FileFromBeforeItsEditsWereRecordedOpensAndRecordsTheNextOne) {
 TEST(CasePatient, RecordThatDoesNotFitIsRefused) {
   const Scratch scratch;
   const fs::path file = scratch.path / "a.glisson";
-  { CaseFile::create(file, ballCase()).storePatient(kFacts); }
+  { CaseFile::create(file, smallBallCase()).storePatient(kFacts); }
   for (const char* wrong : {"{}", "7", "no json", R"({"heightCm":-1,"weightKg":null,"condition":null,"tumourType":null})"}) {
     runSql(file, "UPDATE history SET patient_after = '" + std::string(wrong) + "'");
     EXPECT_THROW((void)CaseFile::open(file).history(), InputError) << wrong;
@@ -223,7 +223,7 @@ TEST(CasePatient, RecordThatDoesNotFitIsRefused) {
 
 TEST(CasePatient, NumberThatIsNoBodysIsRefusedAndTheFileKeepsWhatItHeld) {
   const Scratch scratch;
-  CaseFile made = CaseFile::create(scratch.path / "a.glisson", ballCase());
+  CaseFile made = CaseFile::create(scratch.path / "a.glisson", smallBallCase());
   made.storePatient(kFacts);
   for (const double wrong : {0.0, -170.0, static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
     EXPECT_THROW(made.storePatient({wrong, 70, std::nullopt, std::nullopt}), PlanningError);
@@ -274,7 +274,7 @@ TEST(CaseVersions, MeasuresAndIslandsComeBackBitForBit) {
   ResectionPlan plan = planAt(10);
   plan.measures = {{"Distance 1", Vec3(0.1, 1.0 / 3, -7), Vec3(1e-7, 2, 3)}};
   plan.islands = {{Vec3(0.1 + 0.2, 5, 6), PlanSide::Remnant}, {Vec3(1, 2, 3), PlanSide::Resected}};
-  CaseFile::create(file, ballCase()).storePlans({plan});
+  CaseFile::create(file, smallBallCase()).storePlans({plan});
   const ResectionPlan read = CaseFile::open(file).load().plans[0];
   ASSERT_EQ(read.measures.size(), 1U);
   EXPECT_EQ(read.measures[0].name, "Distance 1");
@@ -289,7 +289,7 @@ TEST(CaseVersions, MeasuresAndIslandsComeBackBitForBit) {
 /// A file as version 2 wrote it: without bent planes.
 fs::path versionTwo(const fs::path& folder) {
   fs::path file = folder / "older.glisson";
-  Case made = ballCase();
+  Case made = smallBallCase();
   made.plans = {planAt(10)};
   made.patient = kFacts;
   { CaseFile::create(file, made); }
@@ -321,7 +321,7 @@ TEST(CaseVersions, BendsComeBackBitForBitAlsoFromTheHistory) {
   const fs::path file = scratch.path / "a.glisson";
   ResectionPlan plan = planAt(10);
   plan.resections[0].planes[0].bend = someBend();
-  CaseFile::create(file, ballCase()).storePlans({plan}, "bend plane");
+  CaseFile::create(file, smallBallCase()).storePlans({plan}, "bend plane");
   EXPECT_EQ(CaseFile::open(file).load().plans[0], plan);
   EXPECT_EQ(CaseFile::open(file).history().back().after, std::vector<ResectionPlan>{plan});
 }
@@ -332,7 +332,7 @@ TEST(CaseVersions, BendsThatAreNoneAreRefusedWithASentence) {
   ResectionPlan plan = planAt(10);
   plan.resections[0].planes[0].bend = someBend();
   plan.resections[0].planes[0].bend->heightsMm[3] = NAN;
-  CaseFile made = CaseFile::create(file, ballCase());
+  CaseFile made = CaseFile::create(file, smallBallCase());
   EXPECT_THROW(made.storePlans({plan}), PlanningError);
   plan.resections[0].planes[0].bend = someBend();
   plan.resections[0].planes[0].bend->halfSizeMm = -5;

@@ -14,7 +14,7 @@ using namespace test;
 
 /// A bar along x (0 to 60 mm) with two legs up z at its ends, of 40 and 30 mm, a tumour in the shorter one. The portal vein comes
 /// from below and has a branch in each leg; the hepatic vein leaves the shorter leg through its top.
-const Case& archLiver() {
+const Case& perfusedArch() {
   static const Case arch = [] {
     const ImageGeometry g = gridOf({90, 34, 48}, Vec3(0.8, 0.9, 2), Vec3(-5, -5, -35));
     const Inside liver = anyOf({box({0, 0, 0}, {60, 20, 15}), box({0, 0, 0}, {12, 20, 55}), box({48, 0, 0}, {60, 20, 45})});
@@ -29,7 +29,7 @@ const Case& archLiver() {
   return arch;
 }
 
-const HalfSpace kAcrossLegs{Vec3(30, 10, 25.3), Vec3::UnitZ()};
+const HalfSpace kAcrossPerfusedLegs{Vec3(30, 10, 25.3), Vec3::UnitZ()};
 
 /// The plan with its only island given to the other side.
 ResectionPlan withIslandGiven(const PlanAssessor& assessor, const HalfSpace& plane) {
@@ -41,9 +41,9 @@ ResectionPlan withIslandGiven(const PlanAssessor& assessor, const HalfSpace& pla
 }
 
 TEST(IslandEstimates, PerfusedRemnantIsNoLargerThanTheRemnant) {
-  const PlanAssessor assessor(archLiver());
-  const LiverPerfusion perfusion(archLiver());
-  for (const HalfSpace& plane : {kAcrossLegs, flipped(kAcrossLegs)}) {
+  const PlanAssessor assessor(perfusedArch());
+  const LiverPerfusion perfusion(perfusedArch());
+  for (const HalfSpace& plane : {kAcrossPerfusedLegs, flipped(kAcrossPerfusedLegs)}) {
     const ResectionPlan plan = withIslandGiven(assessor, plane);
     const PlanAssessment assessed = assessor.volumes(plan);
     const PerfusionEstimate effect = perfusion.effectOf(plan);
@@ -55,12 +55,12 @@ TEST(IslandEstimates, PerfusedRemnantIsNoLargerThanTheRemnant) {
 }
 
 TEST(IslandEstimates, VesselsOfAPieceThatIsGivenBackAreNotCut) {
-  const PlanAssessor assessor(archLiver());
-  const LiverPerfusion perfusion(archLiver());
-  const PerfusionEstimate planes = perfusion.effectOf(planOf({{kAcrossLegs}}));
+  const PlanAssessor assessor(perfusedArch());
+  const LiverPerfusion perfusion(perfusedArch());
+  const PerfusionEstimate planes = perfusion.effectOf(planOf({{kAcrossPerfusedLegs}}));
   EXPECT_EQ(planes.portalCuts.size(), 2U);
   EXPECT_GT(planes.congestedMl.value(), 10) << "all veins drain through the shorter leg";
-  const PerfusionEstimate given = perfusion.effectOf(withIslandGiven(assessor, kAcrossLegs));
+  const PerfusionEstimate given = perfusion.effectOf(withIslandGiven(assessor, kAcrossPerfusedLegs));
   ASSERT_EQ(given.portalCuts.size(), 1U);
   EXPECT_LT(given.portalCuts[0].positionMm.x(), 12);
   EXPECT_TRUE(given.hepaticCuts.empty());
@@ -68,24 +68,24 @@ TEST(IslandEstimates, VesselsOfAPieceThatIsGivenBackAreNotCut) {
 }
 
 TEST(IslandEstimates, VesselsOfAPieceThatIsResectedWithTheRestAreCut) {
-  const PlanAssessor assessor(archLiver());
-  const LiverPerfusion perfusion(archLiver());
+  const PlanAssessor assessor(perfusedArch());
+  const LiverPerfusion perfusion(perfusedArch());
   // The bar is resected, and the shorter leg with it: the vein is cut where it enters the leg from above.
-  const PerfusionEstimate planes = perfusion.effectOf(planOf({{flipped(kAcrossLegs)}}));
+  const PerfusionEstimate planes = perfusion.effectOf(planOf({{flipped(kAcrossPerfusedLegs)}}));
   ASSERT_EQ(planes.hepaticCuts.size(), 1U);
   EXPECT_LT(planes.hepaticCuts[0].positionMm.z(), 26);
-  const PerfusionEstimate given = perfusion.effectOf(withIslandGiven(assessor, flipped(kAcrossLegs)));
+  const PerfusionEstimate given = perfusion.effectOf(withIslandGiven(assessor, flipped(kAcrossPerfusedLegs)));
   ASSERT_EQ(given.hepaticCuts.size(), 1U);
   EXPECT_GT(given.hepaticCuts[0].positionMm.z(), 40);
 }
 
 TEST(IslandEstimates, TerritoriesAddUpToWhatThePlanTakes) {
-  const PlanAssessor assessor(archLiver());
-  const LiverPerfusion perfusion(archLiver());
+  const PlanAssessor assessor(perfusedArch());
+  const LiverPerfusion perfusion(perfusedArch());
   const TerritoryChoice choice = proposeLeftRight(perfusion.portal());
   ASSERT_FALSE(choice.picks.empty());
-  const Territories territories = territoriesOf(*archLiver().liver, perfusion.portal(), choice);
-  for (const HalfSpace& plane : {kAcrossLegs, flipped(kAcrossLegs)}) {
+  const Territories territories = territoriesOf(*perfusedArch().liver, perfusion.portal(), choice);
+  for (const HalfSpace& plane : {kAcrossPerfusedLegs, flipped(kAcrossPerfusedLegs)}) {
     const ResectionPlan plan = withIslandGiven(assessor, plane);
     double resected = 0;
     for (const TerritoryVolume& part : volumesOf(territories, plan)) {

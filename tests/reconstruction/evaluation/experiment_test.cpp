@@ -23,14 +23,14 @@
 namespace glisson {
 namespace {
 
-struct Body {
+struct ExperimentBody {
   Mask mask;
   ImageGeometry geometry;
 };
 
 /// Half axes of 15, 12 and 10 mm on voxels of 0.8 x 0.8 x 1.6 mm: depth 6 is the deepest that they carry.
-Body ellipsoid() {
-  Body body;
+ExperimentBody ellipsoid() {
+  ExperimentBody body;
   body.geometry.size = {44, 36, 18};
   body.geometry.spacing = Vec3(0.8, 0.8, 1.6);
   body.geometry.origin = Vec3(-30, 12, 200);
@@ -48,8 +48,8 @@ Body ellipsoid() {
   return body;
 }
 
-std::vector<EvaluatedModel> make(const Body& body, const std::vector<ModelRecipe>& recipes, const ExperimentOptions& options = {},
-                                 const ExecutionContext& context = {}) {
+std::vector<EvaluatedModel> make(const ExperimentBody& body, const std::vector<ModelRecipe>& recipes,
+                                 const ExperimentOptions& options = {}, const ExecutionContext& context = {}) {
   const EvaluationReference reference(body.mask, body.geometry);
   std::vector<EvaluatedModel> models(recipes.size());
   std::vector<int> visits(recipes.size(), 0);
@@ -86,7 +86,7 @@ void expectSame(const ErrorSummary& a, const ErrorSummary& b) {
 }
 
 TEST(Experiment, MeasuresEachModelAsTheSingleFunctionsDo) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const std::vector<EvaluatedModel> models = make(body, kFew);
   const auto expectOf = [&](const EvaluatedModel& model, const SurfaceMesh& mesh) {
     ASSERT_TRUE(model.measures) << model.failure;
@@ -117,7 +117,7 @@ TEST(Experiment, MeasuresEachModelAsTheSingleFunctionsDo) {
 }
 
 TEST(Experiment, OneModelAloneIsTheOneThatWasMeasured) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const EvaluationReference reference(body.mask, body.geometry);
   const std::vector<EvaluatedModel> models = make(body, kFew);
   for (std::size_t n = 0; n < kFew.size(); ++n) {
@@ -133,14 +133,14 @@ TEST(Experiment, OneModelAloneIsTheOneThatWasMeasured) {
 }
 
 TEST(Experiment, OneModelAloneOfADepthTooDeepIsMadeAtTheDeepest) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const ModelMesh alone = makeModelMesh(body.mask, body.geometry, {.family = ModelFamily::Psr, .depth = 9}, {});
   EXPECT_EQ(alone.usedDepth, 6);
   EXPECT_FALSE(alone.mesh.empty());
 }
 
 TEST(Experiment, OneModelAloneStopsOnCancel) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const ExecutionContext context;
   context.cancel();
   for (const ModelRecipe& recipe : kFew) {
@@ -149,7 +149,7 @@ TEST(Experiment, OneModelAloneStopsOnCancel) {
 }
 
 TEST(Experiment, SplitNormalsTakeTheMeshApartAndInflateItsCurvature) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const std::vector<EvaluatedModel> models = make(body, kFew);
   const ModelMeasures& cubes = *models[3].measures;
   const SurfaceMesh split = splitAtSharpEdges(reconstructMcsd(body.mask, body.geometry, mcsdOf(kFew[3])).mesh);
@@ -163,7 +163,7 @@ TEST(Experiment, SplitNormalsTakeTheMeshApartAndInflateItsCurvature) {
 }
 
 TEST(Experiment, GivesTheSameNumbersForOneAndManyThreads) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   std::vector<std::string> texts;
   for (const int threads : {1, 2, 8}) {
     const ThreadLimit limit(threads);
@@ -178,7 +178,7 @@ TEST(Experiment, GivesTheSameNumbersForOneAndManyThreads) {
 }
 
 TEST(Experiment, SaysWhichDepthALabelIsTooSmallForAndGoesOn) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const std::vector<EvaluatedModel> models = make(body, {{.family = ModelFamily::Psr, .depth = 8},
                                                          {.family = ModelFamily::Psr, .depth = 6},
                                                          kFew[3],
@@ -191,7 +191,7 @@ TEST(Experiment, SaysWhichDepthALabelIsTooSmallForAndGoesOn) {
 }
 
 TEST(Experiment, KeepsTheQuickestOfSeveralRunsAndTheSameNumbers) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const std::vector<EvaluatedModel> once = make(body, kFew);
   const std::vector<EvaluatedModel> thrice = make(body, kFew, {.timings = 3});
   for (std::size_t n = 0; n < kFew.size(); ++n) {
@@ -201,7 +201,7 @@ TEST(Experiment, KeepsTheQuickestOfSeveralRunsAndTheSameNumbers) {
 }
 
 TEST(Experiment, TimesTheSimplificationAsOftenAsTheRest) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const auto simplifications = [&](int timings) {
     int reports = 0;
     const ExecutionContext context([&](double /*done*/, std::string_view phase) { reports += phase == "simplify" ? 1 : 0; });
@@ -236,7 +236,7 @@ TEST(Experiment, AModelsMemoryIsThatOfItsOwnMakingAndNotOfTheOneBefore) {
 using Places = std::vector<std::size_t>;
 
 TEST(Experiment, AModelThatTheMemoryDoesNotSufficeForSaysSoAndTheOthersGoOn) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const std::vector<EvaluatedModel> whole = make(body, kFew);
   const auto failed = [&](const std::string& phase) {
     const ExecutionContext context([&](double /*done*/, std::string_view reached) {
@@ -260,7 +260,7 @@ TEST(Experiment, AModelThatTheMemoryDoesNotSufficeForSaysSoAndTheOthersGoOn) {
 }
 
 TEST(Experiment, NeedsALabelWithASurface) {
-  Body body = ellipsoid();
+  ExperimentBody body = ellipsoid();
   EXPECT_THROW(EvaluationReference(Mask(), body.geometry), ReconstructionError);
   std::vector<std::uint8_t> values(body.geometry.voxelCount(), 0);
   values[values.size() / 2] = 1;
@@ -273,7 +273,7 @@ TEST(Experiment, NeedsALabelWithASurface) {
 }
 
 TEST(Experiment, EndsWithWhatTheVisitorThrowsAndOnCancel) {
-  const Body body = ellipsoid();
+  const ExperimentBody body = ellipsoid();
   const EvaluationReference reference(body.mask, body.geometry);
   const auto full = [](std::size_t /*n*/, const EvaluatedModel& /*model*/) { throw InputError("the disk is full"); };
   EXPECT_THROW(makeModels(body.mask, body.geometry, reference, kFew, {}, full), InputError);

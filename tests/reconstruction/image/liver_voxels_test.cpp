@@ -11,7 +11,7 @@ namespace {
 
 using Inside = std::function<bool(const Vec3&)>;
 
-struct Body {
+struct NamedBody {
   std::string name;
   StructureKind kind;
   Inside inside;
@@ -25,12 +25,12 @@ ImageGeometry grid() {
   return g;
 }
 
-Segmentation segmentationOf(const std::vector<Body>& bodies) {
+Segmentation segmentationOf(const std::vector<NamedBody>& bodies) {
   Segmentation segmentation;
   segmentation.geometry = grid();
   segmentation.source = "bodies";
   const Index3 size = segmentation.geometry.size;
-  for (const Body& body : bodies) {
+  for (const NamedBody& body : bodies) {
     std::vector<std::uint8_t> values;
     for (int k = 0; k < size[2]; ++k) {
       for (int j = 0; j < size[1]; ++j) {
@@ -77,7 +77,7 @@ bool mentions(const LiverVoxels& voxels, const std::string& text) {
                      [&](const std::string& note) { return note.find(text) != note.npos; });
 }
 
-const Body kLiver{"liver", StructureKind::Liver, ball(Vec3::Zero(), 25)};
+const NamedBody kLiver{"liver", StructureKind::Liver, ball(Vec3::Zero(), 25)};
 
 TEST(LiverVoxels, NestedAndExclusivePatientsAreTheSame) {
   for (const Vec3& way : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(1, -2, 3)}) {
@@ -112,14 +112,14 @@ TEST(LiverVoxels, TrunkOutsideTheLiverIsNotLiver) {
 }
 
 TEST(LiverVoxels, TrunkIsCutFlushWithAFlatSurface) {
-  const Body block{"liver", StructureKind::Liver, [](const Vec3& p) { return p.cwiseAbs().maxCoeff() < 20.1; }};
+  const NamedBody block{"liver", StructureKind::Liver, [](const Vec3& p) { return p.cwiseAbs().maxCoeff() < 20.1; }};
   const Segmentation nested = segmentationOf({block, {"portal vein", StructureKind::PortalVein, trunk(Vec3::UnitX(), 5)}});
   EXPECT_TRUE(equal(liverVoxels(exclusive(nested)).liver, *nested.structures[0].mask));
 }
 
 TEST(LiverVoxels, CavaInItsGrooveIsNotLiver) {
   const auto groove = [](const Vec3& p) { return std::abs(p[0]) < 5 && p[1] > 10; };
-  const Body liver{"liver", StructureKind::Liver, [=](const Vec3& p) { return p.cwiseAbs().maxCoeff() < 20.1 && !groove(p); }};
+  const NamedBody liver{"liver", StructureKind::Liver, [=](const Vec3& p) { return p.cwiseAbs().maxCoeff() < 20.1 && !groove(p); }};
   const Segmentation s =
       segmentationOf({liver, {"vena cava", StructureKind::VenaCava, [=](const Vec3& p) { return groove(p) && p[1] < 20; }}});
   EXPECT_TRUE(equal(liverVoxels(s).liver, *s.structures[0].mask));

@@ -14,7 +14,7 @@
 namespace glisson {
 namespace {
 
-const Index3 kSize{40, 30, 26};
+const Index3 kSweepSize{40, 30, 26};
 const std::vector<int> kSmoothings{0, 22, 45, 67, 90};
 const std::vector<double> kDecimations{0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
 
@@ -59,7 +59,7 @@ void expectPlainChain(const SurfaceMesh& mesh, const Mask& mask, const ImageGeom
 }
 
 TEST(McsdSweep, OfFiftyModelsIsThePlainVtkChainTriangleForTriangleByBothFiltersAndOrders) {
-  const Mask mask = test::asymmetricBody(kSize);
+  const Mask mask = test::asymmetricBody(kSweepSize);
   std::vector<McsdParameters> sets;
   for (const auto filter : {SmoothingFilter::Sinc, SmoothingFilter::Laplacian}) {
     for (const auto order : {McsdOrder::DecimateFirst, McsdOrder::SmoothFirst}) {
@@ -69,7 +69,7 @@ TEST(McsdSweep, OfFiftyModelsIsThePlainVtkChainTriangleForTriangleByBothFiltersA
     }
   }
   for (const bool leftHanded : {false, true}) {
-    const ImageGeometry geometry = test::obliqueGeometry(kSize, leftHanded);
+    const ImageGeometry geometry = test::obliqueGeometry(kSweepSize, leftHanded);
     const auto results = sweep(mask, geometry, sets);
     for (std::size_t n = 0; n < sets.size(); ++n) {
       SCOPED_TRACE(n);
@@ -101,8 +101,8 @@ TEST(McsdSweep, IsThePlainVtkChainWhereDecimationBreaksTheMeshToo) {
 }
 
 TEST(McsdSweep, GivesTheSameBytesForAnyNumberOfThreads) {
-  const Mask mask = test::asymmetricBody(kSize);
-  const ImageGeometry geometry = test::obliqueGeometry(kSize, false);
+  const Mask mask = test::asymmetricBody(kSweepSize);
+  const ImageGeometry geometry = test::obliqueGeometry(kSweepSize, false);
   const auto sets = fifty(SmoothingFilter::Laplacian, McsdOrder::DecimateFirst);
   std::vector<McsdResult> first;
   for (const int threads : {1, 2, 8}) {
@@ -120,8 +120,8 @@ TEST(McsdSweep, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(McsdSweep, RunsWhatSetsHaveInCommonOnce) {
-  const Mask mask = test::asymmetricBody(kSize);
-  const ImageGeometry geometry = test::obliqueGeometry(kSize, false);
+  const Mask mask = test::asymmetricBody(kSweepSize);
+  const ImageGeometry geometry = test::obliqueGeometry(kSweepSize, false);
   // Two runs of a filter never take the same time to the nanosecond: equal times are one run.
   const auto decimated = sweep(mask, geometry, fifty(SmoothingFilter::Laplacian, McsdOrder::DecimateFirst));
   const auto smoothed = sweep(mask, geometry, fifty(SmoothingFilter::Sinc, McsdOrder::SmoothFirst));
@@ -140,8 +140,8 @@ TEST(McsdSweep, RunsWhatSetsHaveInCommonOnce) {
 }
 
 TEST(McsdSweep, HoldsOneResultAThreadAlsoWhileAVisitorUsesThreads) {
-  const Mask mask = test::asymmetricBody(kSize);
-  const ImageGeometry geometry = test::obliqueGeometry(kSize, false);
+  const Mask mask = test::asymmetricBody(kSweepSize);
+  const ImageGeometry geometry = test::obliqueGeometry(kSweepSize, false);
   const auto sets = fifty(SmoothingFilter::Laplacian, McsdOrder::DecimateFirst);
   static thread_local int held = 0;
   const ThreadLimit limit(2);
@@ -159,20 +159,20 @@ TEST(McsdSweep, HoldsOneResultAThreadAlsoWhileAVisitorUsesThreads) {
 }
 
 TEST(McsdSweep, ProgressNeverFallsAndEndsAtOne) {
-  const Mask mask = test::asymmetricBody(kSize);
+  const Mask mask = test::asymmetricBody(kSweepSize);
   double last = 0.0;
   const ExecutionContext context([&](double fraction, std::string_view) {
     EXPECT_GE(fraction, last);
     last = fraction;
   });
   sweepMcsd(
-      mask, test::obliqueGeometry(kSize, true), fifty(SmoothingFilter::Sinc, McsdOrder::SmoothFirst),
+      mask, test::obliqueGeometry(kSweepSize, true), fifty(SmoothingFilter::Sinc, McsdOrder::SmoothFirst),
       [](std::size_t, const McsdResult&, const ExecutionContext& share) { share.report(1.0, "visitor"); }, context);
   EXPECT_DOUBLE_EQ(last, 1.0);
 }
 
 TEST(McsdSweep, ACancelInAnyPhaseEndsIt) {
-  const Mask mask = test::asymmetricBody(kSize);
+  const Mask mask = test::asymmetricBody(kSweepSize);
   for (const std::string_view phaseToStop : {"marching cubes", "decimation", "smoothing", "visitor"}) {
     std::unique_ptr<ExecutionContext> context;
     std::atomic<std::size_t> taken{0};
@@ -186,7 +186,7 @@ TEST(McsdSweep, ACancelInAnyPhaseEndsIt) {
       share.report(1.0, "visitor");
     };
     const auto sets = fifty(SmoothingFilter::Laplacian, McsdOrder::DecimateFirst);
-    EXPECT_THROW(sweepMcsd(mask, test::obliqueGeometry(kSize, false), sets, visit, *context), Cancelled) << phaseToStop;
+    EXPECT_THROW(sweepMcsd(mask, test::obliqueGeometry(kSweepSize, false), sets, visit, *context), Cancelled) << phaseToStop;
     EXPECT_LT(taken, sets.size()) << phaseToStop;
   }
 }
@@ -198,13 +198,14 @@ TEST(McsdSweep, AnExceptionOfAVisitorEndsIt) {
     ++taken;
     throw std::length_error("no room");
   };
-  EXPECT_THROW(sweepMcsd(test::asymmetricBody(kSize), test::obliqueGeometry(kSize, false), sets, visit), std::length_error);
+  EXPECT_THROW(sweepMcsd(test::asymmetricBody(kSweepSize), test::obliqueGeometry(kSweepSize, false), sets, visit),
+               std::length_error);
   EXPECT_LT(taken, sets.size());
 }
 
 TEST(McsdSweep, RefusesASenselessSetAndAnEmptyMaskBeforeAnyWorkAndNothingIsNoWork) {
-  const Mask mask = test::asymmetricBody(kSize);
-  const ImageGeometry geometry = test::obliqueGeometry(kSize, false);
+  const Mask mask = test::asymmetricBody(kSweepSize);
+  const ImageGeometry geometry = test::obliqueGeometry(kSweepSize, false);
   const auto never = [](std::size_t, const McsdResult&, const ExecutionContext&) { FAIL(); };
   auto sets = fifty(SmoothingFilter::Laplacian, McsdOrder::DecimateFirst);
   EXPECT_THROW(sweepMcsd(Mask(), geometry, sets, never), ReconstructionError);

@@ -16,31 +16,31 @@
 namespace glisson {
 namespace {
 
-struct Ball {
+struct Sphere {
   Vec3 centre;
   double radius;
 };
 
-struct Body {
+struct Specimen {
   Mask mask;
   ImageGeometry geometry;
 };
 
 /// Balls (index coordinates) less hollows on a grid of cubes of 0.8 mm.
-Body ballsOf(const Index3& size, const std::vector<Ball>& balls, const std::vector<Ball>& hollows = {}) {
+Specimen ballsOf(const Index3& size, const std::vector<Sphere>& balls, const std::vector<Sphere>& hollows = {}) {
   std::vector<std::uint8_t> values(static_cast<std::size_t>(size[0] * size[1] * size[2]), 0);
   std::size_t n = 0;
   for (int k = 0; k < size[2]; ++k) {
     for (int j = 0; j < size[1]; ++j) {
       for (int i = 0; i < size[0]; ++i, ++n) {
-        const auto holds = [&](const Ball& ball) { return (Vec3(i, j, k) - ball.centre).norm() <= ball.radius; };
+        const auto holds = [&](const Sphere& ball) { return (Vec3(i, j, k) - ball.centre).norm() <= ball.radius; };
         if (std::any_of(balls.begin(), balls.end(), holds) && std::none_of(hollows.begin(), hollows.end(), holds)) {
           values[n] = 1;
         }
       }
     }
   }
-  Body body{Mask::fromGrid(size, values), {}};
+  Specimen body{Mask::fromGrid(size, values), {}};
   body.geometry.size = size;
   body.geometry.spacing = Vec3::Constant(0.8);
   body.geometry.origin = Vec3(-50, 20, -300);
@@ -52,8 +52,8 @@ bool anyContains(const std::vector<std::string>& texts, std::string_view part) {
 }
 
 /// Voxels set by chance, `percent` of them.
-Body noiseOf(const Index3& size, unsigned percent, std::mt19937& random) {
-  Body noise;
+Specimen noiseOf(const Index3& size, unsigned percent, std::mt19937& random) {
+  Specimen noise;
   noise.geometry.size = size;
   std::vector<std::uint8_t> values(noise.geometry.voxelCount());
   for (auto& v : values) {
@@ -80,7 +80,7 @@ TEST(Reconstruct, DefaultsArePsrForTheParenchymaAndSincMcsdForTheRest) {
 }
 
 TEST(Reconstruct, ABallIsSoundByBothMethodsAndKeepsItsVolume) {
-  const Body ball = ballsOf({48, 48, 48}, {{{23, 24, 25}, 18}});
+  const Specimen ball = ballsOf({48, 48, 48}, {{{23, 24, 25}, 18}});
   for (const auto kind : {StructureKind::Liver, StructureKind::Tumour}) {
     const Reconstruction made = reconstruct(ball.mask, ball.geometry, kind, ReconstructionParameters::defaultsFor(kind));
     EXPECT_EQ(made.defects.names(), std::vector<std::string>{});
@@ -96,7 +96,7 @@ TEST(Reconstruct, ABallIsSoundByBothMethodsAndKeepsItsVolume) {
 }
 
 TEST(Reconstruct, AVolumeDeviationBeyondTheLimitOfItsKindIsNamed) {
-  const Body ball = ballsOf({30, 30, 30}, {{{15, 15, 15}, 9}});
+  const Specimen ball = ballsOf({30, 30, 30}, {{{15, 15, 15}, 9}});
   const auto parameters = mcsd(90, 0.0, SmoothingFilter::Laplacian);
   const Reconstruction made = reconstruct(ball.mask, ball.geometry, StructureKind::Tumour, parameters);
   ASSERT_EQ(made.deviations.size(), 1U);
@@ -105,7 +105,7 @@ TEST(Reconstruct, AVolumeDeviationBeyondTheLimitOfItsKindIsNamed) {
 }
 
 TEST(Reconstruct, ASmallTumourMayDeviateByATwentiethOfAMillilitre) {
-  const Body ball = ballsOf({12, 12, 12}, {{{6, 6, 6}, 3}});  // 0.063 mL
+  const Specimen ball = ballsOf({12, 12, 12}, {{{6, 6, 6}, 3}});  // 0.063 mL
   const Reconstruction made = reconstruct(ball.mask, ball.geometry, StructureKind::Tumour, mcsd(10, 0.25));
   EXPECT_GT(std::abs(made.volumeDeviation()), 0.02);
   EXPECT_EQ(made.deviations, std::vector<std::string>{});
@@ -115,7 +115,7 @@ TEST(Reconstruct, ASmallTumourMayDeviateByATwentiethOfAMillilitre) {
 
 TEST(Reconstruct, LostPiecesAreNamedWithTheirVoxelsAndASingleVoxelIsANoteOnly) {
   // 400 rounds of Laplacian smoothing shrink the small ball and the single voxel to nothing much.
-  const Body balls = ballsOf({60, 40, 40}, {{{20, 20, 20}, 16}, {{50, 20, 20}, 2.3}, {{50, 5, 5}, 0.5}});
+  const Specimen balls = ballsOf({60, 40, 40}, {{{20, 20, 20}, 16}, {{50, 20, 20}, 2.3}, {{50, 5, 5}, 0.5}});
   const Reconstruction worn =
       reconstruct(balls.mask, balls.geometry, StructureKind::Tumour, mcsd(400, 0.0, SmoothingFilter::Laplacian));
   EXPECT_EQ(worn.maskComponents, 3U);
@@ -131,7 +131,7 @@ TEST(Reconstruct, LostPiecesAreNamedWithTheirVoxelsAndASingleVoxelIsANoteOnly) {
 }
 
 TEST(Reconstruct, ADepthTheVoxelsDoNotCarryIsLoweredAndNoted) {
-  const Body ball = ballsOf({24, 24, 24}, {{{12, 12, 12}, 8}});
+  const Specimen ball = ballsOf({24, 24, 24}, {{{12, 12, 12}, 8}});
   ReconstructionParameters psr;
   psr.psr.depth = 9;
   const Reconstruction made = reconstruct(ball.mask, ball.geometry, StructureKind::Liver, psr);
@@ -140,7 +140,7 @@ TEST(Reconstruct, ADepthTheVoxelsDoNotCarryIsLoweredAndNoted) {
 }
 
 TEST(Reconstruct, AMaskAtTheBorderIsNotedAndClosed) {
-  const Body ball = ballsOf({30, 30, 20}, {{{15, 15, 18}, 9}});
+  const Specimen ball = ballsOf({30, 30, 20}, {{{15, 15, 18}, 9}});
   for (const auto kind : {StructureKind::Liver, StructureKind::Cyst}) {
     const Reconstruction made = reconstruct(ball.mask, ball.geometry, kind, ReconstructionParameters::defaultsFor(kind));
     EXPECT_FALSE(made.defects.any());
@@ -149,13 +149,14 @@ TEST(Reconstruct, AMaskAtTheBorderIsNotedAndClosed) {
 }
 
 TEST(Reconstruct, ACavityIsRepresentedOrNoted) {
-  const Body shell = ballsOf({40, 40, 40}, {{{20, 20, 20}, 16}}, {{{20, 20, 20}, 6}});
+  const Specimen shell = ballsOf({40, 40, 40}, {{{20, 20, 20}, 16}}, {{{20, 20, 20}, 6}});
   const Reconstruction made = reconstruct(shell.mask, shell.geometry, StructureKind::Liver, mcsd(10, 0.25));
   EXPECT_FALSE(anyContains(made.notes, "cavit"));
   EXPECT_FALSE(anyContains(made.notes, "Euler"));
   EXPECT_EQ(made.meshComponents, 1U);
   // Pores of 7 and 1 voxels are too small for cells of 3.8 mm.
-  const Body pores = ballsOf({150, 60, 60}, {{{30, 30, 30}, 26}, {{140, 30, 30}, 6}}, {{{30, 30, 30}, 0.5}, {{20, 30, 30}, 1.2}});
+  const Specimen pores =
+      ballsOf({150, 60, 60}, {{{30, 30, 30}, 26}, {{140, 30, 30}, 6}}, {{{30, 30, 30}, 0.5}, {{20, 30, 30}, 1.2}});
   ReconstructionParameters coarse;
   coarse.psr.depth = 5;
   const Reconstruction filled = reconstruct(pores.mask, pores.geometry, StructureKind::Liver, coarse);
@@ -164,11 +165,11 @@ TEST(Reconstruct, ACavityIsRepresentedOrNoted) {
 }
 
 TEST(Reconstruct, AVesselsCentrelineLiesInsideItsMesh) {
-  std::vector<Ball> tube;
+  std::vector<Sphere> tube;
   for (int n = 0; n < 60; ++n) {
     tube.push_back({{8.0 + n, 12.0 + 6.0 * std::sin(n / 12.0), 14.0}, 3.2});
   }
-  const Body vessel = ballsOf({80, 30, 28}, tube);
+  const Specimen vessel = ballsOf({80, 30, 28}, tube);
   const Reconstruction good = reconstruct(vessel.mask, vessel.geometry, StructureKind::PortalVein, mcsd(10, 0.25));
   ASSERT_TRUE(good.centrelineInside.has_value());
   EXPECT_EQ(*good.centrelineInside, 1.0);
@@ -222,7 +223,7 @@ TEST(Reconstruct, ASimplifiedSurfaceIsJudgedByItsOwnCrossings) {
   std::mt19937 random(3);
   std::size_t crossedBefore = 0;
   for (int trial = 0; trial < 12; ++trial) {
-    const Body noise = noiseOf({14, 13, 12}, 12, random);
+    const Specimen noise = noiseOf({14, 13, 12}, 12, random);
     ReconstructionParameters parameters = mcsd(45, 0.5, SmoothingFilter::Laplacian);
     const Reconstruction plain = reconstruct(noise.mask, noise.geometry, StructureKind::Tumour, parameters);
     crossedBefore += plain.defects.selfIntersections > 0 ? 1 : 0;
@@ -238,7 +239,7 @@ TEST(Reconstruct, ASimplifiedSurfaceIsJudgedByItsOwnCrossings) {
 
 TEST(Reconstruct, ASetThatCannotBeSimplifiedIsNotedAndTheOthersGoOn) {
   std::mt19937 random(2016);
-  const Body noise = noiseOf({10, 9, 11}, 25, random);
+  const Specimen noise = noiseOf({10, 9, 11}, 25, random);
   std::vector<ReconstructionParameters> sets{mcsd(0, 0.9), ReconstructionParameters()};
   for (auto& set : sets) {
     set.simplify = SimplifyTarget{.triangles = 300};
@@ -254,7 +255,7 @@ TEST(Reconstruct, ASetThatCannotBeSimplifiedIsNotedAndTheOthersGoOn) {
 TEST(Reconstruct, AClosedSurfaceWithEdgesThatAreNotManifoldIsComparedWithTheMaskToo) {
   // Decimation leaves edges with four triangles: an inside there is all the same.
   std::mt19937 random(2016);
-  const Body noise = noiseOf({10, 9, 11}, 25, random);
+  const Specimen noise = noiseOf({10, 9, 11}, 25, random);
   const Reconstruction made = reconstruct(noise.mask, noise.geometry, StructureKind::PortalVein, mcsd(0, 0.9));
   ASSERT_GT(made.defects.nonManifoldEdges, 0U);
   ASSERT_EQ(made.defects.openEdges, 0U);
@@ -266,11 +267,11 @@ TEST(Reconstruct, ThirtyLumpyBodiesAreSoundAndWithoutSelfIntersectionsByTheDefau
   std::mt19937 random(21);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (int trial = 0; trial < 30; ++trial) {
-    std::vector<Ball> balls;
+    std::vector<Sphere> balls;
     for (int n = 0; n < 5; ++n) {
       balls.push_back({Vec3(8 + 16 * share(random), 8 + 16 * share(random), 8 + 16 * share(random)), 2.0 + 4.0 * share(random)});
     }
-    const Body body = ballsOf({32, 32, 32}, balls);
+    const Specimen body = ballsOf({32, 32, 32}, balls);
     const Reconstruction made = reconstruct(body.mask, body.geometry, StructureKind::Tumour, mcsd(10, 0.25));
     EXPECT_EQ(made.defects.names(), std::vector<std::string>{}) << trial;
     EXPECT_EQ(countSelfIntersections(made.mesh), 0U) << trial;
@@ -282,7 +283,7 @@ TEST(Reconstruct, NamesEveryInvariantThatDecimationBreaksAndHowOften) {
   std::size_t manifoldLost = 0;
   std::size_t crossed = 0;
   for (int trial = 0; trial < 20; ++trial) {
-    const Body noise = noiseOf({10, 9, 11}, 25, random);
+    const Specimen noise = noiseOf({10, 9, 11}, 25, random);
     for (const int smoothing : {0, 10}) {
       const Reconstruction made = reconstruct(noise.mask, noise.geometry, StructureKind::Tumour, mcsd(smoothing, 0.9));
       // Counted another way: by a map of undirected edges.
@@ -309,7 +310,7 @@ TEST(Reconstruct, NamesEveryInvariantThatDecimationBreaksAndHowOften) {
 }
 
 TEST(Reconstruct, EverySetOfAListIsMadeAsByItself) {
-  const Body ball = ballsOf({48, 30, 30}, {{{15, 15, 15}, 10}, {{32, 15, 15}, 8.5}});
+  const Specimen ball = ballsOf({48, 30, 30}, {{{15, 15, 15}, 10}, {{32, 15, 15}, 8.5}});
   std::vector<ReconstructionParameters> sets{mcsd(10, 0.25), ReconstructionParameters(), mcsd(22, 0.5, SmoothingFilter::Laplacian),
                                              mcsd(45, 0.5, SmoothingFilter::Laplacian), mcsd(0, 0.5)};
   sets[1].psr.depth = 6;
@@ -336,7 +337,7 @@ TEST(Reconstruct, TheAutomaticDepthHasCellsFromFourToEightFifthsOfTheSmallestSpa
   automatic.psr.depth = 5;  // not looked at
   EXPECT_EQ(automatic.describe(), "PSR d=auto unbiased");
   for (const int length : {40, 60, 90, 130}) {  // cells halve from one depth to the next; the lengths do not double
-    const Body rod = ballsOf({length, 12, 12}, {{{6, 6, 6}, 3}, {{length - 6.0, 6, 6}, 3}});
+    const Specimen rod = ballsOf({length, 12, 12}, {{{6, 6, 6}, 3}, {{length - 6.0, 6, 6}, 3}});
     const PoissonResult made = reconstructPoisson(rod.mask, rod.geometry, automatic.usedPsr());
     EXPECT_GE(made.cellMm, 0.8 * 0.8) << length;
     EXPECT_LT(made.cellMm, 1.6 * 0.8) << length;
@@ -350,13 +351,13 @@ TEST(Reconstruct, TheAutomaticDepthHasCellsFromFourToEightFifthsOfTheSmallestSpa
 }
 
 TEST(Reconstruct, AThinTreeKeepsItsBranchesByTheAutomaticDepthWithScreening) {
-  std::vector<Ball> tree;
+  std::vector<Sphere> tree;
   for (int n = 0; n < 100; ++n) {
     tree.push_back({{6.0 + n, 40.0, 40.0}, 4.0 - 0.025 * n});
     tree.push_back({{40.0 + 0.5 * n, 40.0 + 0.3 * n, 40.0 + 0.2 * n}, 1.6});
     tree.push_back({{30.0 + 0.4 * n, 40.0 - 0.35 * n, 40.0 - 0.3 * n}, 1.4});
   }
-  const Body vessel = ballsOf({110, 80, 70}, tree);
+  const Specimen vessel = ballsOf({110, 80, 70}, tree);
   ReconstructionParameters automatic;
   automatic.autoDepth = true;
   automatic.psr.pointWeight = 16;
@@ -378,7 +379,7 @@ TEST(Reconstruct, AnEmptyMaskAndSenselessParametersAreRefused) {
 }
 
 TEST(Reconstruct, ProgressNeverFallsAndEndsAtOne) {
-  const Body ball = ballsOf({30, 30, 30}, {{{15, 15, 15}, 9}});
+  const Specimen ball = ballsOf({30, 30, 30}, {{{15, 15, 15}, 9}});
   for (const auto kind : {StructureKind::Liver, StructureKind::PortalVein}) {
     double last = 0.0;
     const ExecutionContext context([&](double fraction, std::string_view) {
@@ -391,7 +392,7 @@ TEST(Reconstruct, ProgressNeverFallsAndEndsAtOne) {
 }
 
 TEST(Reconstruct, ACancelInAnyPhaseEndsIt) {
-  const Body ball = ballsOf({40, 40, 40}, {{{20, 20, 20}, 16}});
+  const Specimen ball = ballsOf({40, 40, 40}, {{{20, 20, 20}, 16}});
   for (const auto kind : {StructureKind::Liver, StructureKind::PortalVein}) {
     for (const double when : {0.0, 0.2, 0.5, 0.8, 0.85, 0.95}) {
       std::unique_ptr<ExecutionContext> context;

@@ -21,7 +21,7 @@ std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, const Triangle& t) {
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
-void expectSameTriangles(const SurfaceMesh& a, const SurfaceMesh& b) {
+void expectEqualTriangles(const SurfaceMesh& a, const SurfaceMesh& b) {
   ASSERT_EQ(a.triangles.size(), b.triangles.size());
   for (std::size_t n = 0; n < a.triangles.size(); ++n) {
     ASSERT_EQ(cornersOf(a, a.triangles[n]), cornersOf(b, b.triangles[n])) << n;
@@ -32,7 +32,7 @@ TEST(SharpEdges, OfABoxGiveEachFaceItsOwnVertices) {
   const SurfaceMesh box = test::box(Vec3(1, 2, 3), Vec3(4, 5, 6), 3);
   const SurfaceMesh split = splitAtSharpEdges(box);
   EXPECT_EQ(split.vertices.size(), 6U * 16U);
-  expectSameTriangles(split, box);
+  expectEqualTriangles(split, box);
   EXPECT_EQ(splitAtSharpEdges(box, 91).vertices.size(), box.vertices.size());
 }
 
@@ -46,7 +46,7 @@ TEST(SharpEdges, PartTheTrianglesAtAVertexIntoThoseBetweenThem) {
   EXPECT_EQ(copies(split, {0, 0, 0}), 2);
   EXPECT_EQ(copies(split, {1, 0, 1}), 1);
   EXPECT_EQ(copies(split, {0, 1, 0}), 2);
-  expectSameTriangles(split, crease);
+  expectEqualTriangles(split, crease);
   EXPECT_EQ(splitAtSharpEdges(crease, 50).vertices.size(), crease.vertices.size());
 }
 
@@ -85,7 +85,7 @@ TEST(SharpEdges, AreThoseOfVtk) {
     const SurfaceMesh split = splitAtSharpEdges(mesh);
     EXPECT_GT(split.vertices.size(), mesh.vertices.size());
     EXPECT_EQ(split.vertices.size(), static_cast<std::size_t>(normals->GetOutput()->GetNumberOfPoints())) << decimation;
-    expectSameTriangles(split, mesh);
+    expectEqualTriangles(split, mesh);
   }
 }
 

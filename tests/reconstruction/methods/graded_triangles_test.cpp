@@ -86,7 +86,7 @@ std::array<double, kTree.size()> edgesOverRadius(const SurfaceMesh& mesh) {
   return medians;
 }
 
-double spreadOf(const std::array<double, kTree.size()>& values) {
+double largestOverSmallest(const std::array<double, kTree.size()>& values) {
   return *std::ranges::max_element(values) / *std::ranges::min_element(values);
 }
 
@@ -130,7 +130,7 @@ TEST(LocalRadius, IsInOneProportionToEveryBranchsOwn) {
     EXPECT_GT(median, 0.65);
     EXPECT_LT(median, 1.05);
   }
-  EXPECT_LT(spreadOf(medians), 1.25);
+  EXPECT_LT(largestOverSmallest(medians), 1.25);
 }
 
 TEST(LocalRadius, OfABallIsTheBalls) {
@@ -143,9 +143,9 @@ TEST(LocalRadius, OfABallIsTheBalls) {
 TEST(GradedTriangles, EdgesHaveOneProportionToTheRadiusOnTrunkAndTwigs) {
   const test::Body body = tree();
   const SurfaceMesh before = solved(body);
-  EXPECT_GT(spreadOf(edgesOverRadius(before)), 4) << "cells of one size everywhere";
+  EXPECT_GT(largestOverSmallest(edgesOverRadius(before)), 4) << "cells of one size everywhere";
   const SurfaceMesh graded = variantOf(listedMethod("vessels"), "v1").make({body.mask, body.geometry}, {}).mesh;
-  EXPECT_LT(spreadOf(edgesOverRadius(graded)), 1.35);
+  EXPECT_LT(largestOverSmallest(edgesOverRadius(graded)), 1.35);
   EXPECT_LT(graded.triangles.size(), before.triangles.size() / 3);
 }
 

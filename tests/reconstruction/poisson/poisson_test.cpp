@@ -118,9 +118,9 @@ TEST(Samples, AnEmptyMaskIsRefused) {
   EXPECT_THROW(sampleBoundary(Mask(), gridOf({4, 4, 4}, Vec3::Ones()), Sampling::Unbiased), ReconstructionError);
 }
 
-class Ball : public testing::TestWithParam<double> {};
+class PoissonBall : public testing::TestWithParam<double> {};
 
-TEST_P(Ball, MeanSignedDistanceIsBelow3PercentOfTheSpacingAndTheVolumeIsTheVoxels) {
+TEST_P(PoissonBall, MeanSignedDistanceIsBelow3PercentOfTheSpacingAndTheVolumeIsTheVoxels) {
   const double slice = GetParam();
   const ImageGeometry geometry = gridOf({100, 100, static_cast<int>(90 / slice)}, Vec3(0.8, 0.8, slice));
   const Vec3 centre(39.7, 40.1, 43.3);
@@ -132,7 +132,7 @@ TEST_P(Ball, MeanSignedDistanceIsBelow3PercentOfTheSpacingAndTheVolumeIsTheVoxel
   EXPECT_NEAR(signedVolumeMm3(result.mesh) / voxelMm3(ball, geometry), 1.0, slice > 4 ? 0.0015 : 0.0005);
 }
 
-INSTANTIATE_TEST_SUITE_P(Slices, Ball, testing::Values(0.8, 2.5, 5.0));
+INSTANTIATE_TEST_SUITE_P(Slices, PoissonBall, testing::Values(0.8, 2.5, 5.0));
 
 TEST(Poisson, VolumeErrorFallsWithTheDepth) {
   const ImageGeometry geometry = gridOf({160, 160, 160}, Vec3(0.5, 0.5, 0.5));

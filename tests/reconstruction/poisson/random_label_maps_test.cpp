@@ -20,7 +20,7 @@
 namespace glisson {
 namespace {
 
-constexpr int kMaps = test::trials(2000);
+const int kMaps = test::trials(2000);
 constexpr int kParts = 4;  // so that they run beside each other
 
 class Chance {
