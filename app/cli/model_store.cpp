@@ -13,7 +13,7 @@ namespace glisson::cli {
 
 namespace {
 
-std::string textOf(const Index3& index) {
+std::string indexText(const Index3& index) {
   return std::to_string(index[0]) + " " + std::to_string(index[1]) + " " + std::to_string(index[2]) + "\n";
 }
 
@@ -22,7 +22,7 @@ std::string keyOf(const EvaluatedLabel& label) {
   std::string facts = "glisson " + std::string(glissonVersion()) + " models " + std::to_string(kModelsVersion) + "\n";
   facts += label.options.sampling == Sampling::Paper ? "paper " : "unbiased ";
   facts += formatExact(label.options.scale) + " " + std::to_string(label.options.timings) + "\n";
-  facts += textOf(label.geometry.size) + textOf(mask.box().first) + textOf(mask.box().size);
+  facts += indexText(label.geometry.size) + indexText(mask.box().first) + indexText(mask.box().size);
   const Mat3 matrix = label.geometry.indexToWorldMatrix();
   for (Eigen::Index n = 0; n < matrix.size(); ++n) {
     facts += formatExact(matrix.data()[n]) + " ";

@@ -65,7 +65,9 @@ MeshDefects toDefects(const Json& json) {
   return d;
 }
 
-Json fromBend(const Bend& bend) { return {{"u", vectorJson(bend.u)}, {"halfSizeMm", bend.halfSizeMm}, {"heightsMm", bend.heightsMm}}; }
+Json fromBend(const Bend& bend) {
+  return {{"u", vectorJson(bend.u)}, {"halfSizeMm", bend.halfSizeMm}, {"heightsMm", bend.heightsMm}};
+}
 
 /// Checked; what fromBend() wrote comes back bit for bit.
 Bend toBend(const Json& json, const HalfSpace& plane) {
@@ -137,7 +139,8 @@ Json fromPlans(const std::vector<ResectionPlan>& plans) {
       json.back()["islands"].push_back({{"pointMm", vectorJson(island.point)}, {"toResected", island.to == PlanSide::Resected}});
     }
     for (const Measure& measure : plan.measures) {
-      json.back()["measures"].push_back({{"name", measure.name}, {"fromMm", vectorJson(measure.from)}, {"toMm", vectorJson(measure.to)}});
+      json.back()["measures"].push_back(
+          {{"name", measure.name}, {"fromMm", vectorJson(measure.from)}, {"toMm", vectorJson(measure.to)}});
     }
   }
   return json;
@@ -277,10 +280,11 @@ PatientIdentity toIdentity(const Json& json) {
 }
 
 Json fromGeometry(const ImageGeometry& g) {
-  return {{"size", g.size},
-          {"spacingMm", vectorJson(g.spacing)},
-          {"originMm", vectorJson(g.origin)},
-          {"direction", Json::array({vectorJson(g.direction.col(0)), vectorJson(g.direction.col(1)), vectorJson(g.direction.col(2))})}};
+  return {
+      {"size", g.size},
+      {"spacingMm", vectorJson(g.spacing)},
+      {"originMm", vectorJson(g.origin)},
+      {"direction", Json::array({vectorJson(g.direction.col(0)), vectorJson(g.direction.col(1)), vectorJson(g.direction.col(2))})}};
 }
 
 ImageGeometry toGeometry(const Json& json) {

@@ -6,7 +6,7 @@ namespace glisson {
 
 namespace {
 
-std::string_view textOf(BranchRole role) {
+std::string_view roleText(BranchRole role) {
   switch (role) {
     case BranchRole::Trunk:
       return "trunk";
@@ -32,7 +32,7 @@ Json branchesOf(const VesselGraph& graph) {
     const VesselBranch& branch = graph.branches[b];
     list.push_back({{"branch", b},
                     {"parent", branch.parent < 0 ? Json(nullptr) : Json(branch.parent)},
-                    {"role", textOf(branch.role)},
+                    {"role", roleText(branch.role)},
                     {"lengthMm", branch.lengthMm},
                     {"meanRadiusMm", branch.meanRadiusMm},
                     {"minRadiusMm", branch.minRadiusMm},

@@ -13,8 +13,8 @@ std::string toJson(const MarginProposal& proposal) {
   json["tumour"] = proposal.tumourId;
   json["name"] = proposal.tumourName;
   json["safetyMarginMm"] = proposal.safetyMarginMm;
-  json["plane"] =
-      found ? Json{{"originMm", vectorJson(proposal.plane->origin)}, {"normal", vectorJson(proposal.plane->normal)}} : Json(nullptr);
+  json["plane"] = found ? Json{{"originMm", vectorJson(proposal.plane->origin)}, {"normal", vectorJson(proposal.plane->normal)}}
+                        : Json(nullptr);
   json["resectedFunctionalMl"] = known(proposal.resectedFunctionalMl);
   json["marginMm"] = known(proposal.marginMm);
   json["marginAtLeastMm"] = known(proposal.marginAtLeastMm);
