@@ -8,21 +8,20 @@
 namespace glisson::cli {
 
 using lab::Axis;
+using lab::kPlotLeft;
+using lab::kPlotRight;
+using lab::kPlotWidth;
 using lab::Mark;
 using lab::Pixel;
-using lab::svgLine;
+using lab::svgGridLine;
 using lab::svgMark;
 using lab::svgPath;
 using lab::svgPicture;
 using lab::svgText;
-using lab::tickText;
 
 namespace {
 
-constexpr double kPlotWidth = 920;
 constexpr double kPlotHeight = 340;
-constexpr double kPlotLeft = 64;
-constexpr double kPlotRight = kPlotWidth - 16;
 constexpr double kPlotTop = 30;
 constexpr double kPlotBottom = kPlotHeight - 40;
 
@@ -60,8 +59,7 @@ class Plot {
   [[nodiscard]] std::string axes() const {
     std::string content = svgText({kPlotLeft - 48, kPlotTop - 12}, "score", "start", "axis");
     for (const double tick : score_.ticks(5)) {
-      content += svgLine({kPlotLeft, score_.at(tick)}, {kPlotRight, score_.at(tick)}, "grid");
-      content += svgText({kPlotLeft - 8, score_.at(tick) + 4}, tickText(tick), "end", "tick");
+      content += svgGridLine(score_.at(tick), tick);
     }
     for (std::size_t n = 0; n < depths().size(); ++n) {
       content += svgText({columnAt(n), kPlotBottom + 24}, "PSR d=" + std::to_string(depths()[n].depth), "middle", "tick");

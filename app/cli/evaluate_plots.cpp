@@ -9,6 +9,10 @@
 namespace glisson::cli {
 
 using lab::Axis;
+using lab::kPlotLeft;
+using lab::kPlotRight;
+using lab::kPlotWidth;
+using lab::svgGridLine;
 using lab::svgLine;
 using lab::svgPicture;
 using lab::svgRectangle;
@@ -17,19 +21,15 @@ using lab::tickText;
 
 namespace {
 
-constexpr double kWidth = 920;
-constexpr double kLeft = 64;
-constexpr double kRight = kWidth - 16;
 constexpr double kTop = 44;
 
 /// Grid lines, numbers and the name of the vertical axis.
 std::string errorAxis(const Axis& axis) {
   std::string content;
   for (const double tick : axis.ticks(6)) {
-    content += svgLine({kLeft, axis.at(tick)}, {kRight, axis.at(tick)}, "grid");
-    content += svgText({kLeft - 8, axis.at(tick) + 4}, tickText(tick), "end", "tick");
+    content += svgGridLine(axis.at(tick), tick);
   }
-  return content + svgText({kLeft - 48, kTop - 18}, "error (mm)", "start", "axis");
+  return content + svgText({kPlotLeft - 48, kTop - 18}, "error (mm)", "start", "axis");
 }
 
 }  // namespace
@@ -46,12 +46,12 @@ std::string boxPlots(const Evaluation& evaluation, const std::vector<std::size_t
   }
   const Axis error(0, highest > 0 ? 1.08 * highest : 1.0, kBottom, kTop);
   std::string content = errorAxis(error);
-  const double step = (kRight - kLeft) / static_cast<double>(places.size());
+  const double step = (kPlotRight - kPlotLeft) / static_cast<double>(places.size());
   const double half = std::min(34.0, 0.3 * step);
   for (std::size_t n = 0; n < places.size(); ++n) {
     const EvaluatedModel& model = evaluation.models[places[n]];
     const BoxPlot& box = model.measures->paperErrorBoxMm;
-    const double x = kLeft + (static_cast<double>(n) + 0.5) * step;
+    const double x = kPlotLeft + (static_cast<double>(n) + 0.5) * step;
     const std::string style = lab::lookOf(model.recipe.family).style;
     content += svgLine({x, error.at(box.lowWhisker)}, {x, error.at(box.lowQuartile)}, "whisker");
     content += svgLine({x, error.at(box.highQuartile)}, {x, error.at(box.highWhisker)}, "whisker");
@@ -65,8 +65,8 @@ std::string boxPlots(const Evaluation& evaluation, const std::vector<std::size_t
     content += svgText({x, kBottom + 20}, model.name(), "middle", "tick");
     content += svgText({x, kBottom + 38}, tickText(static_cast<double>(model.measures->triangles)), "middle", "faint");
   }
-  content += svgText({kLeft - 48, kBottom + 38}, "triangles", "start", "faint");
-  return svgPicture(kWidth, kHeight, "Box plots of the error", content);
+  content += svgText({kPlotLeft - 48, kBottom + 38}, "triangles", "start", "faint");
+  return svgPicture(kPlotWidth, kHeight, "Box plots of the error", content);
 }
 
 }  // namespace glisson::cli

@@ -9,10 +9,7 @@ namespace glisson::lab {
 
 namespace {
 
-constexpr double kWidth = 920;
 constexpr double kHeight = 520;
-constexpr double kLeft = 64;
-constexpr double kRight = kWidth - 16;
 constexpr double kTop = 44;
 constexpr double kBottom = kHeight - 48;
 
@@ -50,7 +47,7 @@ class Labels {
   };
   [[nodiscard]] bool isFree(const Box& box, bool clearOfMarks) const {
     const auto meets = [&](const Box& other) { return box.meets(other); };
-    return box.left >= kLeft && box.right <= right_ && box.top >= kTop && box.bottom <= bottom_ &&
+    return box.left >= kPlotLeft && box.right <= right_ && box.top >= kTop && box.bottom <= bottom_ &&
            std::none_of(texts_.begin(), texts_.end(), meets) &&
            (!clearOfMarks || std::none_of(marks_.begin(), marks_.end(), meets));
   }
@@ -69,7 +66,7 @@ std::string tooltipOf(const EvaluatedModel& model, const ModelScore* score) {
 
 std::string legend(const Evaluation& evaluation) {
   std::string content;
-  double x = kLeft + 130;
+  double x = kPlotLeft + 130;
   const double y = kTop - 22;
   std::vector<ModelRecipe> shown;
   for (const EvaluatedModel& model : evaluation.models) {
@@ -93,28 +90,27 @@ std::string legend(const Evaluation& evaluation) {
 std::string axes(const AccuracyFigure& figure) {
   std::string content;
   for (const AxisTick& tick : figure.errors) {
-    content += svgLine({kLeft, tick.at}, {kRight, tick.at}, "grid");
-    content += svgText({kLeft - 8, tick.at + 4}, tickText(tick.value), "end", "tick");
+    content += svgGridLine(tick.at, tick.value);
   }
-  content += svgText({kLeft - 48, kTop - 18}, "error (mm)", "start", "axis");
+  content += svgText({kPlotLeft - 48, kTop - 18}, "error (mm)", "start", "axis");
   for (const AxisTick& tick : figure.triangles) {
     content += svgLine({tick.at, kTop}, {tick.at, kBottom}, "grid");
     if (tick.numbered) {
       content += svgText({tick.at, kBottom + 18}, tickText(tick.value), "middle", "tick");
     }
   }
-  return content + svgText({kRight, kBottom + 38}, "triangles (logarithmic)", "end", "axis");
+  return content + svgText({kPlotRight, kBottom + 38}, "triangles (logarithmic)", "end", "axis");
 }
 
 }  // namespace
 
 std::string accuracySvg(const Evaluation& evaluation) {
-  const AccuracyFigure figure = accuracyFigure(evaluation, {kLeft, kRight, kTop, kBottom});
+  const AccuracyFigure figure = accuracyFigure(evaluation, {kPlotLeft, kPlotRight, kTop, kBottom});
   std::string content = axes(figure) + legend(evaluation);
   for (const auto& [front, style] : {std::pair(&figure.publishedFront, "front"), {&figure.simplifiedFront, "front2"}}) {
     content += front->empty() ? std::string() : svgPath(*front, style);
   }
-  Labels labels(kRight, kBottom);
+  Labels labels(kPlotRight, kBottom);
   for (const FigureMark& mark : figure.marks) {
     content += svgMark(mark.look.mark, mark.at, mark.radius, mark.look.style,
                        tooltipOf(evaluation.models[mark.place], evaluation.finalScore(mark.place)));
@@ -131,7 +127,7 @@ std::string accuracySvg(const Evaluation& evaluation) {
       content += labels.place(at, std::string(role) + ": " + evaluation.models[*place].name());
     }
   }
-  return svgPicture(kWidth, kHeight, "Mean error over triangles of all models", content);
+  return svgPicture(kPlotWidth, kHeight, "Mean error over triangles of all models", content);
 }
 
 }  // namespace glisson::lab

@@ -144,6 +144,10 @@ std::string svgMark(Mark mark, const Pixel& at, double radius, std::string_view 
   return "<path" + attribute("class", style) + attribute("d", pathOf(corners) + "Z") + ">" + title + "</path>\n";
 }
 
+std::string svgGridLine(double y, double value) {
+  return svgLine({kPlotLeft, y}, {kPlotRight, y}, "grid") + svgText({kPlotLeft - 8, y + 4}, tickText(value), "end", "tick");
+}
+
 std::string tickText(double value) {
   if (value != std::round(value) || std::abs(value) >= 1e15) {
     return formatExact(std::round(1e6 * value) / 1e6);

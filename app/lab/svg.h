@@ -35,6 +35,11 @@ struct Pixel {
   double y = 0;
 };
 
+/// Pictures of the experiment are as wide as one another, and so are their margins.
+inline constexpr double kPlotWidth = 920;
+inline constexpr double kPlotLeft = 64;
+inline constexpr double kPlotRight = kPlotWidth - 16;
+
 /// A picture to stand in an HTML page that has plotSheet().
 std::string svgPicture(double width, double height, std::string_view title, const std::string& content);
 /// A file of its own: with its style sheet and a white ground. `picture` is what svgPicture() gives.
@@ -52,6 +57,9 @@ std::string svgText(const Pixel& at, std::string_view text, std::string_view anc
 enum class Mark : std::uint8_t { Circle, Diamond, Triangle, Square };
 /// With a tooltip, escaped here.
 std::string svgMark(Mark mark, const Pixel& at, double radius, std::string_view style, std::string_view tooltip);
+
+/// The line across a plot at `y`, with its value on the left.
+std::string svgGridLine(double y, double value);
 
 /// Whole numbers with thin blanks between thousands, others with as many digits as they need: "88 592", "0.25".
 std::string tickText(double value);
