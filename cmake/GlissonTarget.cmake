@@ -35,6 +35,7 @@ endif()
 function(glisson_target name)
   cmake_parse_arguments(T "FEW_FILES" "REUSE_FROM" "" ${ARGN})
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_compile_definitions(${name} PRIVATE JSON_USE_IMPLICIT_CONVERSIONS=0)  # else JSON is an argument for any function of its name
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
                                          -Woverloaded-virtual -ffp-contract=off ${GLISSON_SANITIZER_OPTIONS})
   if(CMAKE_UNITY_BUILD)

@@ -57,24 +57,24 @@ Json parametersJson(const ReconstructionParameters& p) {
 
 ReconstructionParameters parametersFromJson(const Json& json) {
   ReconstructionParameters p;
-  const std::string method = json.at("method");
+  const std::string method = json.at("method").get<std::string>();
   p.method = method == "psr" ? Method::Psr : method == "mcsd" ? Method::Mcsd : Method::Listed;
   if (p.method == Method::Listed) {
     p.listedMethod = method;
-    p.listedVariant = json.at("variant");
+    json.at("variant").get_to(p.listedVariant);
   }
   p.autoDepth = json.at("depth") == "auto";
   if (!p.autoDepth) {
-    p.psr.depth = json.at("depth");
+    json.at("depth").get_to(p.psr.depth);
   }
   p.psr.sampling = json.at("sampling") == "paper" ? Sampling::Paper : Sampling::Unbiased;
-  p.psr.pointWeight = json.at("pointWeight");
-  p.psr.scale = json.at("scale");
-  p.mcsd.smoothing = json.at("smoothing");
+  json.at("pointWeight").get_to(p.psr.pointWeight);
+  json.at("scale").get_to(p.psr.scale);
+  json.at("smoothing").get_to(p.mcsd.smoothing);
   p.mcsd.filter = json.at("filter") == "sinc" ? SmoothingFilter::Sinc : SmoothingFilter::Laplacian;
-  p.mcsd.decimation = json.at("decimation");
+  json.at("decimation").get_to(p.mcsd.decimation);
   p.mcsd.order = json.at("order") == "decimate-first" ? McsdOrder::DecimateFirst : McsdOrder::SmoothFirst;
-  p.mcsd.splitNormals = json.at("splitNormals");
+  json.at("splitNormals").get_to(p.mcsd.splitNormals);
   p.simplify = simplifyFromJson(json.value("simplify", Json()));  // cases of before it existed have none
   p.validate();
   return p;

@@ -43,7 +43,8 @@ std::optional<Acceptance> toAcceptance(const Json& json) {
   if (!json.contains("acceptance")) {
     return std::nullopt;
   }
-  const Acceptance acceptance{json.at("acceptance").at("by"), json.at("acceptance").at("at")};
+  const Json& accepted = json.at("acceptance");
+  const Acceptance acceptance{accepted.at("by").get<std::string>(), accepted.at("at").get<std::string>()};
   validate(acceptance);
   return acceptance;
 }
@@ -55,13 +56,13 @@ Json fromDefects(const MeshDefects& d) {
 
 MeshDefects toDefects(const Json& json) {
   MeshDefects d;
-  d.openEdges = json.at(0);
-  d.orientationEdges = json.at(1);
+  json.at(0).get_to(d.openEdges);
+  json.at(1).get_to(d.orientationEdges);
   d.inward = json.at(2).get<int>() != 0;
-  d.nonManifoldEdges = json.at(3);
-  d.nonManifoldVertices = json.at(4);
-  d.degenerateTriangles = json.at(5);
-  d.selfIntersections = json.at(6);
+  json.at(3).get_to(d.nonManifoldEdges);
+  json.at(4).get_to(d.nonManifoldVertices);
+  json.at(5).get_to(d.degenerateTriangles);
+  json.at(6).get_to(d.selfIntersections);
   return d;
 }
 
@@ -101,21 +102,21 @@ Json fromReconstruction(const Reconstruction& r) {
 std::shared_ptr<Reconstruction> toReconstruction(const Json& json) {
   auto r = std::make_shared<Reconstruction>();
   r->parameters = parametersFromJson(json.at("parameters"));
-  r->usedDepth = json.at("usedDepth");
-  r->samples = json.at("samples");
+  json.at("usedDepth").get_to(r->usedDepth);
+  json.at("samples").get_to(r->samples);
   r->defects = toDefects(json.at("defects"));
   const Json& volume = json.at("meshVolumeMl");
   r->meshVolumeMl = volume.is_null() ? std::numeric_limits<double>::quiet_NaN() : volume.get<double>();
-  r->voxelVolumeMl = json.at("voxelVolumeMl");
-  r->maskComponents = json.at("maskComponents");
-  r->meshComponents = json.at("meshComponents");
+  json.at("voxelVolumeMl").get_to(r->voxelVolumeMl);
+  json.at("maskComponents").get_to(r->maskComponents);
+  json.at("meshComponents").get_to(r->meshComponents);
   if (!json.at("centrelineInside").is_null()) {
     r->centrelineInside = json.at("centrelineInside").get<double>();
   }
   r->notes = json.at("notes").get<std::vector<std::string>>();
   r->deviations = json.at("deviations").get<std::vector<std::string>>();
-  const Json& s = json.at("seconds");
-  r->seconds = {s.at(0), s.at(1), s.at(2), s.at(3), s.at(4), s.at(5)};
+  const auto s = json.at("seconds").get<std::array<double, 6>>();
+  r->seconds = {s[0], s[1], s[2], s[3], s[4], s[5]};
   return r;
 }
 }  // namespace
@@ -150,11 +151,11 @@ std::vector<ResectionPlan> toPlans(const Json& json) {
   std::vector<ResectionPlan> plans;
   for (const Json& item : json) {
     ResectionPlan plan;
-    plan.name = item.at("name");
-    plan.safetyMarginMm = item.at("safetyMarginMm");
+    item.at("name").get_to(plan.name);
+    item.at("safetyMarginMm").get_to(plan.safetyMarginMm);
     for (const Json& cut : item.at("resections")) {
       Resection resection;
-      resection.name = cut.at("name");
+      cut.at("name").get_to(resection.name);
       for (const Json& plane : cut.at("planes")) {
         resection.planes.emplace_back(toVector(plane.at("originMm")), toVector(plane.at("normal")));
         const double length = resection.planes.back().normal.norm();
@@ -169,13 +170,14 @@ std::vector<ResectionPlan> toPlans(const Json& json) {
     }
     if (item.contains("islands")) {
       for (const Json& island : item.at("islands")) {
-        const bool toResected = island.at("toResected");
+        const bool toResected = island.at("toResected").get<bool>();
         plan.islands.push_back({toVector(island.at("pointMm")), toResected ? PlanSide::Resected : PlanSide::Remnant});
       }
     }
     if (item.contains("measures")) {
       for (const Json& measure : item.at("measures")) {
-        plan.measures.push_back({measure.at("name"), toVector(measure.at("fromMm")), toVector(measure.at("toMm"))});
+        plan.measures.push_back(
+            {measure.at("name").get<std::string>(), toVector(measure.at("fromMm")), toVector(measure.at("toMm"))});
       }
     }
     plans.push_back(std::move(plan));
@@ -232,16 +234,16 @@ Json fromMarks(const TerritoryMarks& marks) {
 
 TerritoryMarks toMarks(const Json& json) {
   TerritoryMarks marks;
-  marks.proposed = json.at("proposed");
+  json.at("proposed").get_to(marks.proposed);
   for (const Json& one : json.at("marks")) {
-    TerritoryMark mark{one.at("name"), {}};
+    TerritoryMark mark{one.at("name").get<std::string>(), {}};
     for (const Json& point : one.at("pointsMm")) {
       mark.pointsMm.push_back(toVector(point));
     }
     marks.marks.push_back(std::move(mark));
   }
   if (const auto map = json.find("segments"); map != json.end()) {
-    marks.segments = SegmentMapFile{map->at("path"), map->at("sha256")};
+    marks.segments = SegmentMapFile{map->at("path").get<std::string>(), map->at("sha256").get<std::string>()};
   }
   validate(marks);
   return marks;
@@ -263,8 +265,8 @@ Json fromStates(const std::vector<StructureState>& states) {
 std::vector<StructureState> toStates(const Json& json) {
   std::vector<StructureState> states;
   for (const Json& one : json) {
-    states.push_back({one.at("id"), toColour(one.at("colour")), one.at("opacity"), one.at("visible"), toAcceptance(one),
-                      one.contains("surface") ? one.at("surface").get<std::string>() : std::string()});
+    states.push_back({one.at("id").get<std::string>(), toColour(one.at("colour")), one.at("opacity").get<double>(),
+                      one.at("visible").get<bool>(), toAcceptance(one), one.value("surface", std::string())});
   }
   return states;
 }
@@ -275,8 +277,9 @@ Json fromIdentity(const PatientIdentity& p) {
 }
 
 PatientIdentity toIdentity(const Json& json) {
-  return {json.at("patientName"), json.at("patientId"), json.at("birthDate"),
-          json.at("studyDate"),   json.at("series"),    json.at("frameOfReferenceUid")};
+  const auto text = [&](const char* key) { return json.at(key).get<std::string>(); };
+  return {text("patientName"), text("patientId"), text("birthDate"),
+          text("studyDate"),   text("series"),    text("frameOfReferenceUid")};
 }
 
 Json fromGeometry(const ImageGeometry& g) {
@@ -323,8 +326,8 @@ Json fromLabelled(const LabelledMask& structure) {
 
 LabelledMask toLabelled(const Json& json) {
   LabelledMask structure;
-  structure.name = json.at("name");
-  structure.label = json.at("label");
+  json.at("name").get_to(structure.name);
+  json.at("label").get_to(structure.label);
   if (!json.at("kind").is_null()) {
     structure.kind = toKind(json.at("kind"));
   }
@@ -350,18 +353,18 @@ Json fromStructure(const Structure& structure) {
 
 StoredStructure toStructure(const Json& json) {
   StoredStructure stored;
-  stored.structure.id = json.at("id");
-  stored.structure.name = json.at("name");
+  json.at("id").get_to(stored.structure.id);
+  json.at("name").get_to(stored.structure.name);
   stored.structure.kind = toKind(json.at("kind"));
   stored.structure.colour = toColour(json.at("colour"));
-  stored.structure.opacity = json.at("opacity");
-  stored.structure.visible = json.at("visible");
-  stored.structure.sourceIndex = json.at("sourceIndex");
+  json.at("opacity").get_to(stored.structure.opacity);
+  json.at("visible").get_to(stored.structure.visible);
+  json.at("sourceIndex").get_to(stored.structure.sourceIndex);
   const Json& made = json.at("reconstruction");
   if (!made.is_null()) {
     stored.reconstruction = toReconstruction(made);
-    stored.vertices = made.at("vertices");
-    stored.triangles = made.at("triangles");
+    made.at("vertices").get_to(stored.vertices);
+    made.at("triangles").get_to(stored.triangles);
     stored.structure.acceptance = toAcceptance(json);
   }
   return stored;

@@ -42,9 +42,9 @@ std::shared_ptr<const Segmentation> readSegmentation(const Database& database) {
   const Json json = Json::parse(documentText(database, "segmentation"));
   auto segmentation = std::make_shared<Segmentation>();
   segmentation->geometry = caseJson::toGeometry(json.at("geometry"));
-  segmentation->source = json.at("source");
-  segmentation->patientId = json.at("patientId");
-  segmentation->frameOfReferenceUid = json.at("frameOfReferenceUid");
+  json.at("source").get_to(segmentation->source);
+  json.at("patientId").get_to(segmentation->patientId);
+  json.at("frameOfReferenceUid").get_to(segmentation->frameOfReferenceUid);
   segmentation->notes = json.at("notes").get<std::vector<std::string>>();
   for (const Json& item : json.at("structures")) {
     LabelledMask structure = caseJson::toLabelled(item);
@@ -60,7 +60,7 @@ std::shared_ptr<const Segmentation> readSegmentation(const Database& database) {
 std::shared_ptr<const LiverModel> readModel(const Database& database, std::size_t masks, StoredMeshes& stored) {
   const Json json = Json::parse(documentText(database, "model"));
   auto model = std::make_shared<LiverModel>();
-  model->revision = json.at("revision");
+  json.at("revision").get_to(model->revision);
   for (const Json& item : json.at("structures")) {
     caseJson::StoredStructure read = caseJson::toStructure(item);
     if (read.structure.sourceIndex >= static_cast<std::int64_t>(masks)) {
@@ -296,9 +296,9 @@ Case readCase(const Database& database, StoredMeshes& stored) {
   return readOrDamaged(database, formMisfit(), [&] {
     Case read;
     const Json json = Json::parse(documentText(database, "case"));
-    read.code = json.at("code");
+    json.at("code").get_to(read.code);
     read.identity = caseJson::toIdentity(json.at("identity"));
-    read.ctSource = json.at("ctSource");
+    json.at("ctSource").get_to(read.ctSource);
     read.notes = json.at("notes").get<std::vector<std::string>>();
     read.segmentation = readSegmentation(database);
     auto liver = std::make_shared<LiverVoxels>();
@@ -325,7 +325,7 @@ std::pair<ImageGeometry, PatientIdentity> readLabelGrid(const Database& database
 
 std::string readCtSource(const Database& database) {
   try {
-    return Json::parse(documentText(database, "case")).at("ctSource");
+    return Json::parse(documentText(database, "case")).at("ctSource").get<std::string>();
   } catch (const Json::exception&) {
     damaged(database, "its case has no CT source");
   }

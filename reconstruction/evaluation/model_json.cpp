@@ -56,7 +56,7 @@ Json jsonOf(const CurvatureSummary& curvature) {
 
 CurvatureSummary curvatureOf(const Json& json) {
   CurvatureSummary curvature = readNumbers(json, kCurvatureKeys);
-  curvature.tinyTriangles = json.at("tinyTriangles");
+  json.at("tinyTriangles").get_to(curvature.tinyTriangles);
   return curvature;
 }
 
@@ -80,11 +80,11 @@ Json jsonOf(const ModelMeasures& measures) {
 
 ModelMeasures measuresOf(const Json& json) {
   ModelMeasures measures;
-  measures.triangles = json.at("triangles");
-  measures.vertices = json.at("vertices");
+  json.at("triangles").get_to(measures.triangles);
+  json.at("vertices").get_to(measures.vertices);
   measures.paperErrorMm = readNumbers(json.at("paperErrorMm"), kErrorKeys);
   measures.paperErrorBoxMm = readNumbers(json.at("paperErrorBoxMm"), kBoxKeys);
-  measures.paperErrorBoxMm.outliers = json.at("paperErrorBoxMm").at("outliers");
+  json.at("paperErrorBoxMm").at("outliers").get_to(measures.paperErrorBoxMm.outliers);
   measures.voxelErrorMm = readNumbers(json.at("voxelErrorMm"), kErrorKeys);
   measures.meshToVoxelsMm = readNumbers(json.at("meshToVoxelsMm"), kErrorKeys);
   measures.voxelsToMeshMm = readNumbers(json.at("voxelsToMeshMm"), kErrorKeys);
@@ -93,7 +93,7 @@ ModelMeasures measuresOf(const Json& json) {
   }
   measures.curvature = curvatureOf(json.at("curvature"));
   measures.shipped.curvature = curvatureOf(json.at("curvatureAsShipped"));
-  measures.shipped.vertices = json.at("verticesAsShipped");
+  json.at("verticesAsShipped").get_to(measures.shipped.vertices);
   measures.defects = json.at("defects").get<std::vector<std::string>>();
   return measures;
 }
@@ -120,7 +120,7 @@ std::optional<EvaluatedModel> modelOfJson(std::string_view text, std::string_vie
     }
     EvaluatedModel model;
     model.recipe = recipe;
-    model.usedDepth = json.at("usedDepth");
+    json.at("usedDepth").get_to(model.usedDepth);
     if (!json.at("measures").is_null()) {
       model.measures = measuresOf(json.at("measures"));
     }

@@ -143,7 +143,7 @@ TEST_F(CliCohort, MeansCountEachEvaluatedPatientOnce) {
                    "bestPsr", "mostSimilarMcsd", "bestMcsd", "bestSimplified", "others", "reductions", "patients", "seconds"}));
   const auto all = rows();
   ASSERT_GE(cohort["depths"].size(), 2U);
-  int best = cohort["mcsdBestOfAll"];
+  int best = cohort["mcsdBestOfAll"].get<int>();
   for (const Json& depth : cohort["depths"]) {
     best += depth["bestOfAll"].get<int>();
     std::vector<double> scores;

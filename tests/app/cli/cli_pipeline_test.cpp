@@ -28,7 +28,7 @@ TEST(CliModel, HoldsEveryStructureWithoutDefects) {
   const Json model = Json::parse(cli({"info", sampleCase().string(), "--json"}).out)[0];
   Keys ids;
   for (const Json& structure : model["structures"]) {
-    ids.push_back(structure["id"]);
+    ids.push_back(structure["id"].get<std::string>());
     EXPECT_EQ(structure["defects"], Json::array()) << structure["id"];
     EXPECT_GT(structure["triangles"], 0) << structure["id"];
   }

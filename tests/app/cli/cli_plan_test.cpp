@@ -46,9 +46,9 @@ TEST_F(CliPlanning, FlrCardIsStoredWithTheCaseAndForgottenOnRequest) {
   EXPECT_FALSE(before["flrCard"]["reasons"].empty());
   const Json card =
       plan({"--height", "170", "--weight", "70", "--condition", "normal", "--tumour-type", "colorectal-metastases"})["flrCard"];
-  EXPECT_NEAR(card["bsaMostellerM2"], 1.8181, 5e-5);
-  EXPECT_NEAR(card["slvUrataMl"], 1286.4, 0.05);
-  EXPECT_NEAR(card["slvVautheyMl"], 1509.7, 0.05);
+  EXPECT_NEAR(card["bsaMostellerM2"].get<double>(), 1.8181, 5e-5);
+  EXPECT_NEAR(card["slvUrataMl"].get<double>(), 1286.4, 0.05);
+  EXPECT_NEAR(card["slvVautheyMl"].get<double>(), 1509.7, 0.05);
   EXPECT_EQ(card["ratios"][2]["ratio"], "flrOfSlvVautheyPercent");
   EXPECT_NEAR(card["ratios"][2]["value"].get<double>() * 15.097, before["functionalRemnantMl"].get<double>(), 0.1);
   EXPECT_EQ(card["ratios"][2]["thresholds"][0]["citation"], "Kishi 2009");
@@ -84,12 +84,14 @@ TEST_F(CliPlanning, H6AModelReplacesACaseWithPlansOnlyWhereThatIsSaid) {
 }
 
 TEST_F(CliPlanning, TheSamePlanePlacedInFourWaysGivesTheSameVolumes) {
-  const double typed = plan({"--dry-run", "--plane", at(0, 0, 0) + ",1,0,0"})["resectedMl"];
-  EXPECT_NEAR(plan({"--dry-run", "--slice", "sagittal," + at(0, 0, 0)})["resectedMl"], typed, 1e-6);
-  EXPECT_NEAR(plan({"--dry-run", "--points", at(0, 0, 0) + "," + at(0, 30, 0) + "," + at(0, 0, 20)})["resectedMl"], typed, 1e-6);
-  EXPECT_NEAR(plan({"--dry-run", "--line", at(0, 9, -20) + "," + at(0, -7, 30) + ",0,1,0"})["resectedMl"], typed, 1e-6);
+  const double typed = plan({"--dry-run", "--plane", at(0, 0, 0) + ",1,0,0"})["resectedMl"].get<double>();
+  EXPECT_NEAR(plan({"--dry-run", "--slice", "sagittal," + at(0, 0, 0)})["resectedMl"].get<double>(), typed, 1e-6);
+  EXPECT_NEAR(plan({"--dry-run", "--points", at(0, 0, 0) + "," + at(0, 30, 0) + "," + at(0, 0, 20)})["resectedMl"].get<double>(),
+              typed, 1e-6);
+  EXPECT_NEAR(plan({"--dry-run", "--line", at(0, 9, -20) + "," + at(0, -7, 30) + ",0,1,0"})["resectedMl"].get<double>(), typed,
+              1e-6);
   const Json other = plan({"--dry-run", "--slice", "sagittal," + at(0, 0, 0), "--flip"});
-  EXPECT_NEAR(other["remnantMl"], typed, 1e-6);
+  EXPECT_NEAR(other["remnantMl"].get<double>(), typed, 1e-6);
   EXPECT_TRUE(plan({})["resections"].empty()) << "nothing was stored";
 }
 
@@ -231,11 +233,11 @@ TEST_F(CliPlanning, BendTakesTheIntegralOfItsHeightsAndIsListed) {
   EXPECT_FALSE(flat.contains("bends"));
   const std::string zeros = "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0";
   const Json none = plan({"--dry-run", "--plane", plane, "--bend", zeros});
-  EXPECT_NEAR(none["resectedMl"], flat["resectedMl"], 1e-6);
+  EXPECT_NEAR(none["resectedMl"].get<double>(), flat["resectedMl"].get<double>(), 1e-6);
   // All heights alike: the plane moved, whatever the half size.
   const Json moved = plan({"--dry-run", "--plane", at(-3, 0, 0) + ",1,0,0"});
   const Json lifted = plan({"--dry-run", "--plane", plane, "--bend=-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,-3,40"});
-  EXPECT_NEAR(lifted["resectedMl"], moved["resectedMl"], 1e-6);
+  EXPECT_NEAR(lifted["resectedMl"].get<double>(), moved["resectedMl"].get<double>(), 1e-6);
   const Json bent = plan({"--plane", plane, "--bend", "0,0,0,0,0,9,9,0,0,9,9,0,0,0,0,0,70"});
   EXPECT_LT(bent["resectedMl"].get<double>(), flat["resectedMl"].get<double>());
   EXPECT_NEAR(bent["resectedMl"].get<double>() + bent["remnantMl"].get<double>(), bent["totalMl"].get<double>(), 1e-9);
@@ -272,7 +274,7 @@ TEST_F(CliPlanning, PlaneThatIsThereIsBentBentAnewAndMadeFlatAgain) {
   EXPECT_EQ(anew["bends"][0]["u"], bent["bends"][0]["u"]);
   const Json again = plan({"--flatten-plane", "1"});
   EXPECT_FALSE(again.contains("bends"));
-  EXPECT_NEAR(again["resectedMl"], flat["resectedMl"], 1e-6);
+  EXPECT_NEAR(again["resectedMl"].get<double>(), flat["resectedMl"].get<double>(), 1e-6);
 }
 
 TEST_F(CliPlanning, JsonSaysWhatItIsOfAndWithWhat) {

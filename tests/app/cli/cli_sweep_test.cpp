@@ -92,7 +92,7 @@ TEST(CliSweep, TheReportNamesWhatDecimationBrokeAndHowOften) {
   for (const char* name : {"n_s0_e90", "n_s10_e90"}) {
     const Json defects = Json::parse(bytesOf(folder / (std::string(name) + ".json")))["defects"];
     ASSERT_FALSE(defects.empty()) << name;
-    for (const std::string defect : defects) {
+    for (const std::string& defect : defects.get<std::vector<std::string>>()) {
       EXPECT_TRUE(isCounted(defect)) << defect;
     }
     EXPECT_NE(finished.err.find(std::string(name) + ".ply was written, but its surface has defects"), std::string::npos);
@@ -133,7 +133,7 @@ TEST(CliDepth, AutoIsTheDeepestThatTheSamplesCarryAndCanBeSimplified) {
   const Json report = Json::parse(bytesOf(folder / "p.json"));
   EXPECT_EQ(report["parameters"]["depth"], "auto");
   EXPECT_EQ(report["parameters"]["simplify"], (Json{{"distanceMm", 0.1}}));
-  const int used = report["usedDepth"];
+  const int used = report["usedDepth"].get<int>();
   EXPECT_GE(used, 7);
   ASSERT_EQ(with({"--depth", std::to_string(used) + ",auto", "-o", folder / "q.ply"}).exitCode, 0);
   EXPECT_EQ(surfaceIn(folder / ("q_d" + std::to_string(used) + ".ply")), surfaceIn(folder / "q_dauto.ply"));
