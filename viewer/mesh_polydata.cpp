@@ -22,7 +22,7 @@ namespace {
 /// Per structure; software OpenGL draws a whole model of such within 100 ms a frame.
 constexpr std::size_t kCoarseTriangles = 6000;
 /// Per structure; of a view at rest where the whole mesh takes too long (software OpenGL).
-constexpr std::size_t kReducedTriangles = 12000;
+constexpr std::size_t kReducedTriangles = 8000;
 
 }  // namespace
 

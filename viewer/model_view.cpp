@@ -24,12 +24,14 @@ ModelView::ModelView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
   d.planeActors.setVisible(false);
   d.planeActors.setLabel(tr("resected").toStdString());
   d.scene.beforeFrame = [this](FrameQuality quality) { impl_->prepareFrame(quality); };
+  d.scene.aheadOfFrame = [this](FrameQuality quality) { return quality != FrameQuality::Moving && impl_->updateSection(false); };
   d.lookFrom(Vec3::UnitY(), Vec3::UnitZ());
 }
 
 ModelView::~ModelView() {
   makeCurrent();
   impl_->scene.beforeFrame = nullptr;
+  impl_->scene.aheadOfFrame = nullptr;
   impl_.reset();
   doneCurrent();
 }

@@ -104,10 +104,10 @@ void ModelView::Impl::placeResectogram() {
   resectogram->setGeometry(view->width() - size.width() - kGap, view->height() - size.height() - kGap, size.width(), size.height());
 }
 
-/// The sections through the parenchyma; the coarse stand-in while the plane moves.
-void ModelView::Impl::updateSection(bool coarse) {
+/// The sections through the parenchyma; the coarse stand-in while the plane moves. False where they were there.
+bool ModelView::Impl::updateSection(bool coarse) {
   if (!plane || !(sectionStale || (sectionIsCoarse && !coarse))) {
-    return;
+    return false;
   }
   section.clear();
   std::size_t drawn = 0;
@@ -127,6 +127,7 @@ void ModelView::Impl::updateSection(bool coarse) {
   sectionStale = false;
   sectionIsCoarse = coarse;
   anchor = drag ? drag->anchorFor(*plane) : anchorOf(*plane, section);
+  return true;
 }
 
 FramePlan ModelView::Impl::planFrame(FrameQuality quality) {

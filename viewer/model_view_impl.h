@@ -67,7 +67,7 @@ struct ModelView::Impl {
 
   /// Shows the structures of `model`; true where none of those shown before is left (a new patient).
   bool showStructures(const std::vector<std::shared_ptr<const DisplayMesh>>& ready);
-  void updateSection(bool coarse);
+  bool updateSection(bool coarse);
   [[nodiscard]] ResectionMap mapOf(std::size_t resection, std::size_t plane, bool coarse) const;
   void placeResectogram();
   /// Makes the drawing of each plane anew where their number or the choice has changed.

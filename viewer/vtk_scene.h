@@ -46,6 +46,8 @@ struct VtkWidget::Scene {
   vtkNew<vtkGenericRenderWindowInteractor> interactor;
   /// Called before every frame with its quality: the place to update actors and clipping range.
   std::function<void(FrameQuality)> beforeFrame;
+  /// Called in a turn before the frame with its quality: does what takes long, and says whether there was such.
+  std::function<bool(FrameQuality)> aheadOfFrame;
   QTimer rest;                        ///< single shot: the end of a movement
   bool moving = false;                ///< something moved within the last kRestMs
   bool cameraByHand = false;          ///< the user moved the camera since it was last placed
@@ -62,6 +64,8 @@ struct VtkWidget::Scene {
   FrameBudget budget;                 ///< what frames have taken so far
   FramePlan frame;                    ///< the frame being drawn
 
+  /// Of the next frame.
+  [[nodiscard]] FrameQuality quality() const { return asked.value_or(moving ? FrameQuality::Moving : FrameQuality::Resting); }
   /// Something moves: simplified frames until kRestMs have passed without another call.
   void touch();
   /// Takes this plan for the frame being drawn: depth peeling and smooth edges or not.

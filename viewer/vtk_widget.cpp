@@ -179,8 +179,12 @@ void VtkWidget::drawInThisTurn() {
     }
     RedrawQueue::instance().add(this);
   } else if (seen && s.started) {
-    draw();
-    update();
+    if (s.aheadOfFrame && s.aheadOfFrame(s.quality())) {
+      RedrawQueue::instance().add(this);
+    } else {
+      draw();
+      update();
+    }
   } else {
     drawSoon();
   }
@@ -289,9 +293,8 @@ void VtkWidget::draw() {
   }
   const QSize pixels = this->pixels();
   s.interactor->UpdateSize(pixels.width(), pixels.height());
-  const FrameQuality quality = s.asked.value_or(s.moving ? FrameQuality::Moving : FrameQuality::Resting);
   if (s.beforeFrame) {
-    s.beforeFrame(quality);
+    s.beforeFrame(s.quality());
   }
   const double scale = s.frame.scale;
   const QSize drawn(std::max(1, qRound(pixels.width() * scale)), std::max(1, qRound(pixels.height() * scale)));
