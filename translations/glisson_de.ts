@@ -3700,6 +3700,10 @@
         <source>Makes models of this structure by PSR and MCSD and shows them to raters one at a time, without names.</source>
         <translation>Erzeugt Modelle dieser Struktur mit PSR und MCSD und zeigt sie einzeln und ohne Namen zur Beurteilung.</translation>
     </message>
+    <message>
+        <source>Shows the best PSR, the best MCSD and the MCSD most similar to that PSR to raters one at a time, without names.</source>
+        <translation>Zeigt die beste PSR, die beste MCSD und die dieser PSR ähnlichste MCSD nacheinander und ohne Namen zur Bewertung.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::LabSide</name>

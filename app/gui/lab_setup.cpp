@@ -243,10 +243,14 @@ void LabSetup::refresh() {
   cancel_->setEnabled(experiment_.running());
   cancel_->setToolTip(experiment_.running() ? tr("Models that are done stay.") : tr("Nothing is being compared."));
   rate_->setEnabled(structure() != nullptr);
-  rate_->setToolTip(
-      structure() != nullptr
-          ? tr("Makes models of this structure by PSR and MCSD and shows them to raters one at a time, without names.")
-          : tr("Open a case first."));
+  if (structure() == nullptr) {
+    rate_->setToolTip(tr("Open a case first."));
+  } else if (experiment_.evaluation().publishedComplete) {
+    rate_->setToolTip(
+        tr("Shows the best PSR, the best MCSD and the MCSD most similar to that PSR to raters one at a time, without names."));
+  } else {
+    rate_->setToolTip(tr("Makes models of this structure by PSR and MCSD and shows them to raters one at a time, without names."));
+  }
   const std::size_t there = experiment_.evaluation().models.size();
   const std::size_t failed = experiment_.evaluation().failed();
   QString text = tr("%1 of %2 models").arg(there).arg(allRecipes().size());

@@ -78,7 +78,7 @@ void LabWorkspace::connectParts() {
   });
   connect(setup_, &LabSetup::ratingRequested, this, [this] {
     if (const Structure* structure = setup_->structure()) {
-      emit ratingRequested(*structure, setup_->options());
+      emit ratingRequested(*structure, ratedRecipes(experiment_->evaluation()), setup_->options());
     }
   });
   connect(setup_, &LabSetup::depthChosen, this, &LabWorkspace::showDepth);

@@ -5,10 +5,11 @@
 #include <QWidget>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "app/gui/document.h"
 #include "app/gui/translated.h"
-#include "reconstruction/evaluation/recipe.h"
+#include "reconstruction/evaluation/rated_recipes.h"
 
 class QTabWidget;
 
@@ -39,8 +40,9 @@ class LabWorkspace : public Translated<QWidget> {
  signals:
   void refused(const QString& sentence);  ///< in English
   void written(const QString& path);
-  /// A blind rating of models of this structure, made with these options.
-  void ratingRequested(const glisson::Structure& structure, const glisson::ExperimentOptions& options);
+  /// A blind rating of these models of this structure, made with these options.
+  void ratingRequested(const glisson::Structure& structure, const std::vector<glisson::RatedRecipe>& recipes,
+                       const glisson::ExperimentOptions& options);
 
  protected:
   void retranslateUi() override;

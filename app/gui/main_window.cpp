@@ -209,13 +209,14 @@ void MainWindow::rateModels() {
   const auto& structures = document_->content().model->structures;
   const auto parenchyma = std::ranges::find(structures, StructureKind::Liver, &Structure::kind);
   if (parenchyma != structures.end()) {
-    rateModelsOf(*parenchyma, {});
+    rateModelsOf(*parenchyma, ratedRecipes({}), {});
   }
 }
 
-void MainWindow::rateModelsOf(const Structure& structure, const ExperimentOptions& options) {
+void MainWindow::rateModelsOf(const Structure& structure, const std::vector<RatedRecipe>& recipes,
+                              const ExperimentOptions& options) {
   const QString folder = QString::fromStdString((recoveryFolder_.parent_path() / "ratings").string());
-  startRating(jobs_, document_->content(), structure, options, folder, *this,
+  startRating(jobs_, document_->content(), structure, recipes, options, folder, *this,
               [this](const std::exception& error) { complain(messageOf(error)); });
 }
 

@@ -11,7 +11,7 @@
 #include "app/gui/recent_case.h"
 #include "app/gui/translated.h"
 #include "app/gui/workspace_bar.h"
-#include "reconstruction/evaluation/recipe.h"
+#include "reconstruction/evaluation/rated_recipes.h"
 
 class QSplitter;
 class QStackedWidget;
@@ -64,8 +64,8 @@ class MainWindow : public Translated<QMainWindow> {
   void writeReport(const QString& path, bool withIdentity = false);
   /// Makes models of the case's parenchyma by both methods and opens the window in which they are rated.
   void rateModels();
-  /// The same of any structure, with options of its own.
-  void rateModelsOf(const Structure& structure, const ExperimentOptions& options);
+  /// The same of any structure and any models of it.
+  void rateModelsOf(const Structure& structure, const std::vector<RatedRecipe>& recipes, const ExperimentOptions& options);
   void showAbout();
   void showLeftPanel(bool shown);
   void showRightPanel(bool shown);

@@ -8,6 +8,7 @@
 #include <new>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "reconstruction/mesh/edges.h"
 #include "reconstruction/parallel.h"
@@ -117,12 +118,19 @@ struct Surroundings {
   Cells cells;
   double cellMm;  ///< of the finest level
   SurfaceMesh& mesh;
-  std::vector<std::uint8_t> free{};    ///< per vertex: no sample supports it
-  std::vector<std::uint8_t> done{};    ///< per vertex: taken part in this round
-  std::vector<std::uint32_t> first{};  ///< per vertex: the first of its triangles; one more at the end
+  std::vector<std::uint8_t> free{};     ///< per vertex: no sample supports it
+  std::vector<std::uint8_t> done{};     ///< per vertex: taken part in this round
+  std::vector<std::uint8_t> fresh{};    ///< per vertex: its triangles are not those that the round before looked at
+  std::vector<std::uint8_t> changed{};  ///< the same for the next round
+  std::vector<std::uint32_t> first{};   ///< per vertex: the first of its triangles; one more at the end
   std::vector<std::uint32_t> trianglesAt{};
 
   [[nodiscard]] bool mayMove(std::uint32_t v) const { return free[v] != 0 && done[v] == 0; }
+  void beginRound() {
+    fresh = changed.empty() ? std::vector<std::uint8_t>(mesh.vertices.size(), 1) : std::exchange(changed, {});
+    changed.assign(mesh.vertices.size(), 0);
+    done.assign(mesh.vertices.size(), 0);
+  }
   void addToCells(const Vec3& a, const Vec3& b, const Vec3& c) {
     Box box(a);
     cells.add(box.extend(b).extend(c), waysNotFaced((b - a).cross(c - a)));
@@ -199,7 +207,8 @@ class Coarsener {
     }
   }
 
-  /// The other ends of the edges that may be collapsed into v, the shortest first.
+  /// The other ends of the edges that may be collapsed into v, the shortest first. An edge is looked at from one end, and not again
+  /// where nothing has changed around it.
   void findNear(std::uint32_t v) {
     near_.clear();
     const double most = kShort * around_.cellMm;
@@ -207,7 +216,8 @@ class Coarsener {
       const Triangle& t = mesh_.triangles[n];
       const std::uint32_t other = t[(placeIn(t, v) + 1) % 3];  // every neighbour once
       const double length = (mesh_.vertices[other] - mesh_.vertices[v]).norm();
-      if (around_.mayMove(other) && length < most) {
+      const bool isNew = around_.fresh[v] != 0 || around_.fresh[other] != 0;
+      if (v < other && isNew && around_.mayMove(other) && length < most) {
         near_.emplace_back(length, other);
       }
     });
@@ -323,9 +333,10 @@ class Coarsener {
       }
     });
     mesh_.vertices[kept] = place;
-    around_.done[kept] = around_.done[merged] = 1;
+    around_.done[kept] = around_.done[merged] = around_.changed[kept] = 1;
     around_.free[merged] = 0;
     for (const Side& side : ring_) {
+      around_.changed[side.from] = 1;
       around_.addToCells(place, mesh_.vertices[side.from], mesh_.vertices[side.to]);
     }
     return true;
@@ -411,7 +422,7 @@ void coarsenUnsupported(const CubeSamples& samples, const Vec3& corner, double c
   const Blocks blocks(around, samples.depth);
   for (int n = 0; n < kRounds; ++n) {
     around.findTriangles(context);
-    around.done.assign(mesh.vertices.size(), 0);
+    around.beginRound();
     blocks.forEach(context, [&](std::span<const std::uint32_t> vertices) {
       Coarsener coarsener(around);
       std::ranges::for_each(vertices, [&](std::uint32_t v) { coarsener.coarsenAt(v); });

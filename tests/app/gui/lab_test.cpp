@@ -366,6 +366,28 @@ TEST_F(LabTest, TheBlindRatingIsOfTheStructureThatIsCompared) {
   EXPECT_TRUE(waitFor([this] { return jobs->idle(); }));
 }
 
+TEST_F(LabTest, TheBlindRatingIsOfThePapersGroupsWhereAllPublishedModelsAreThere) {
+  compare({ModelFamily::Psr, ModelFamily::Mcsd});
+  ASSERT_TRUE(evaluation().publishedComplete);
+  EXPECT_TRUE(find<QPushButton>("labRate")->toolTip().contains("best PSR"));
+  click("labRate");
+  ASSERT_TRUE(waitFor([&] { return window->findChild<RatingWindow*>() != nullptr; }));
+  auto* rating = window->findChild<RatingWindow*>();
+  rating->findChild<QLineEdit*>("ratingName")->setText("Anna");
+  rating->findChild<QPushButton*>("ratingStart")->click();
+  ASSERT_TRUE(rating->session());
+  std::map<std::string, std::string> ids;
+  for (const RatedModel& model : rating->session()->study.models) {
+    ids[model.method] = model.id;
+  }
+  const auto idOf = [&](std::optional<std::size_t> place) { return modelId(evaluation().models[place.value()].recipe); };
+  ASSERT_EQ(ids.size(), 3U);
+  EXPECT_TRUE(ids["PSR (P_best)"].ends_with("/" + idOf(evaluation().bestPsr) + "_P_best")) << ids["PSR (P_best)"];
+  EXPECT_TRUE(ids["MCSD (C_best)"].ends_with("/" + idOf(evaluation().bestMcsd) + "_C_best")) << ids["MCSD (C_best)"];
+  EXPECT_TRUE(ids["MCSD (C_sim)"].ends_with("/" + idOf(evaluation().mostSimilar) + "_C_sim")) << ids["MCSD (C_sim)"];
+  EXPECT_TRUE(waitFor([this] { return jobs->idle(); }));
+}
+
 TEST_F(LabTest, QuickMovesOfTheSliderEndAtTheLast) {
   for (const int depth : {5, 6, 10, 9, 5, 6, 5}) {
     find<QSlider>("labDepth")->setValue(depth);

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "csv.h"
 #include "reconstruction/errors.h"
 #include "reconstruction/evaluation/model_json.h"
 #include "reconstruction/evaluation/models_csv.h"
+#include "reconstruction/evaluation/rated_recipes.h"
 #include "reconstruction/methods/methods.h"
 #include "reconstruction/text.h"
 
@@ -254,6 +256,54 @@ TEST(StoredModel, ComesBackWithEveryNumberAndCountsForItsKeyAlone) {
   }
   const EvaluatedModel none = failed(kPsr, "too small");
   EXPECT_EQ(modelOfJson(jsonOf(none, "key"), "key", none.recipe)->failure, "too small");
+}
+
+/// The experiment with measures by which PSR d=7, MCSD s=0 e=50 % and MCSD s=45 e=0 % are chosen.
+std::vector<EvaluatedModel> publishedModels() {
+  std::vector<EvaluatedModel> models;
+  for (const ModelRecipe& recipe : allRecipes()) {
+    if (isPublished(recipe.family)) {
+      models.push_back(model(recipe.family, 1.0, 1000, recipe.family == kPsr ? 0.1 : 0.5));
+      models.back().recipe = recipe;
+    }
+  }
+  const auto at = [&](const char* id) -> ModelMeasures& {
+    return *std::ranges::find(models, id, [](const EvaluatedModel& m) { return modelId(m.recipe); })->measures;
+  };
+  at("psr_d7").paperErrorMm.mean = 0.1;
+  at("mcsd_s0_e50").paperErrorMm.mean = 0.2;
+  at("mcsd_s45_e0").curvature.trimmedPerMm2 = 0.11;
+  return models;
+}
+
+TEST(RatedRecipes, AreThePapersGroupsOfACompleteExperiment) {
+  const std::vector<RatedRecipe> rated = ratedRecipes(evaluated(publishedModels()));
+  ASSERT_EQ(rated.size(), 3U);
+  const std::vector<std::array<std::string, 3>> expected{
+      {"psr_d7", "PSR (P_best)", "P_best"}, {"mcsd_s0_e50", "MCSD (C_best)", "C_best"}, {"mcsd_s45_e0", "MCSD (C_sim)", "C_sim"}};
+  for (std::size_t n = 0; n < rated.size(); ++n) {
+    EXPECT_EQ(modelId(rated[n].recipe), expected[n][0]);
+    EXPECT_EQ(rated[n].method, expected[n][1]);
+    EXPECT_EQ(rated[n].group, expected[n][2]);
+    EXPECT_EQ(rated[n].grade, "");
+  }
+}
+
+TEST(RatedRecipes, AreFourGradesOfBothMethodsWhereTheExperimentIsNotComplete) {
+  std::vector<EvaluatedModel> models = publishedModels();
+  models.pop_back();
+  for (const Evaluation& experiment : {Evaluation(), evaluated(models)}) {
+    const std::vector<RatedRecipe> rated = ratedRecipes(experiment);
+    ASSERT_EQ(rated.size(), 8U);
+    for (std::size_t n = 0; n < rated.size(); n += 2) {
+      EXPECT_EQ(rated[n].method, "PSR");
+      EXPECT_EQ(rated[n + 1].method, "MCSD");
+      EXPECT_EQ(rated[n].grade, rated[n + 1].grade);
+      EXPECT_EQ(rated[n].group, "");
+    }
+    EXPECT_EQ(modelId(rated[0].recipe), "psr_d8");
+    EXPECT_EQ(modelId(rated[7].recipe), "mcsd_s90_e80");
+  }
 }
 
 }  // namespace
