@@ -2979,48 +2979,12 @@
 <context>
     <name>glisson::CaseOpener</name>
     <message>
-        <source>The labels will be moved onto the CT&apos;s grid (nearest voxel). Borders may shift by half a voxel.</source>
-        <translation>Die Labels werden auf das Gitter der CT gelegt (nächstes Voxel). Grenzen können sich um ein halbes Voxel verschieben.</translation>
-    </message>
-    <message>
-        <source>The CT was taken with a tilted gantry. It will be straightened by resampling; fine detail is softened.</source>
-        <translation>Die CT wurde mit gekippter Gantry aufgenommen. Sie wird durch Umrechnen begradigt; feine Einzelheiten werden weicher.</translation>
-    </message>
-    <message>
-        <source>Slices are missing or unevenly spaced. The gaps will be filled by resampling: what lies in them is unseen.</source>
-        <translation>Schichten fehlen oder liegen ungleich weit auseinander. Die Lücken werden durch Umrechnen gefüllt: Was darin liegt, bleibt ungesehen.</translation>
-    </message>
-    <message>
-        <source>CT and labels name different patients or studies. If they do not belong together, every number is wrong.</source>
-        <translation>CT und Labels nennen verschiedene Patienten oder Studien. Gehören sie nicht zusammen, ist jede Zahl falsch.</translation>
-    </message>
-    <message>
         <source>Making the sample patient</source>
         <translation>Beispielpatient entsteht</translation>
     </message>
     <message>
         <source>Reading files</source>
         <translation>Dateien werden gelesen</translation>
-    </message>
-    <message>
-        <source>A question before reading</source>
-        <translation>Eine Frage vor dem Lesen</translation>
-    </message>
-    <message>
-        <source>Read it all the same</source>
-        <translation>Trotzdem lesen</translation>
-    </message>
-    <message>
-        <source>The file places its voxels in two ways that disagree (sform and qform). The wrong one moves or mirrors the liver. Choose the one your other programs use.</source>
-        <translation>Die Datei beschreibt die Lage ihrer Voxel auf zwei Arten, die sich widersprechen (sform und qform). Die falsche verschiebt oder spiegelt die Leber. Wählen Sie die, welche Ihre anderen Programme verwenden.</translation>
-    </message>
-    <message>
-        <source>Use sform</source>
-        <translation>sform verwenden</translation>
-    </message>
-    <message>
-        <source>Use qform</source>
-        <translation>qform verwenden</translation>
     </message>
     <message>
         <source>Choose the segmentation of the CT</source>
@@ -5030,6 +4994,45 @@ Nicht zur klinischen Anwendung: Dies ist kein Medizinprodukt. Prüfen Sie jede Z
     <message>
         <source>Evaluate the quality of the virtual models (%1) for their use in resection planning and surgery guidance.</source>
         <translation>Beurteilen Sie die Qualität der virtuellen Modelle (%1) für ihren Einsatz in der Resektionsplanung und zur Führung im Eingriff.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ReadingQuestion</name>
+    <message>
+        <source>The labels will be moved onto the CT&apos;s grid (nearest voxel). Borders may shift by half a voxel.</source>
+        <translation>Die Labels werden auf das Gitter der CT gelegt (nächstes Voxel). Grenzen können sich um ein halbes Voxel verschieben.</translation>
+    </message>
+    <message>
+        <source>The CT was taken with a tilted gantry. It will be straightened by resampling; fine detail is softened.</source>
+        <translation>Die CT wurde mit gekippter Gantry aufgenommen. Sie wird durch Umrechnen begradigt; feine Einzelheiten werden weicher.</translation>
+    </message>
+    <message>
+        <source>Slices are missing or unevenly spaced. The gaps will be filled by resampling: what lies in them is unseen.</source>
+        <translation>Schichten fehlen oder liegen ungleich weit auseinander. Die Lücken werden durch Umrechnen gefüllt: Was darin liegt, bleibt ungesehen.</translation>
+    </message>
+    <message>
+        <source>CT and labels name different patients or studies. If they do not belong together, every number is wrong.</source>
+        <translation>CT und Labels nennen verschiedene Patienten oder Studien. Gehören sie nicht zusammen, ist jede Zahl falsch.</translation>
+    </message>
+    <message>
+        <source>A question before reading</source>
+        <translation>Eine Frage vor dem Lesen</translation>
+    </message>
+    <message>
+        <source>The file places its voxels in two ways that disagree (sform and qform). The wrong one moves or mirrors the liver. Choose the one your other programs use.</source>
+        <translation>Die Datei beschreibt die Lage ihrer Voxel auf zwei Arten, die sich widersprechen (sform und qform). Die falsche verschiebt oder spiegelt die Leber. Wählen Sie die, welche Ihre anderen Programme verwenden.</translation>
+    </message>
+    <message>
+        <source>Use sform</source>
+        <translation>sform verwenden</translation>
+    </message>
+    <message>
+        <source>Use qform</source>
+        <translation>qform verwenden</translation>
+    </message>
+    <message>
+        <source>Read it all the same</source>
+        <translation>Trotzdem lesen</translation>
     </message>
 </context>
 <context>

@@ -75,6 +75,7 @@ struct SliceView::Impl {
   bool compared = false;             ///< surfaces' outlines are
   std::vector<MeshSlices> surfaces;  ///< of the visible structures, as far as they are made ready
   QPixmap cache;                     ///< everything but crosshair, plane and texts; null: draw again
+  bool stale = false;                ///< it is of an earlier model: drawn again once all surfaces are ready
 
   [[nodiscard]] QTransform toWidget() const;
   [[nodiscard]] SlicePoint toSlice(const QPointF& pixel) const;
@@ -293,7 +294,8 @@ void SliceView::setModel(std::shared_ptr<const LiverModel> model) {
     });
   });
   if (redraw) {
-    impl_->redraw();
+    impl_->stale = true;
+    update();
   }
 }
 
@@ -349,10 +351,13 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     const double ratio = devicePixelRatioF();
     const QSize pixels(qRound(width() * ratio), qRound(height() * ratio));
     if (d.readySome()) {
-      d.cache = QPixmap();
+      d.stale = true;
       update();  // the next ones in a turn of their own
+    } else if (d.stale) {
+      d.cache = QPixmap();
     }
     if (d.cache.size() != pixels) {
+      d.stale = false;
       d.cache = QPixmap(pixels);
       d.cache.setDevicePixelRatio(ratio);
       d.cache.fill(Qt::black);

@@ -3,7 +3,7 @@
 #include "app/gui/file_dialog.h"
 #include "app/gui/label_dialog.h"
 #include "app/gui/question_box.h"
-#include "app/gui/sentences.h"
+#include "app/gui/reading_question.h"
 #include "reconstruction/errors.h"
 
 namespace glisson {
@@ -24,23 +24,6 @@ QStringList toTexts(const OpenRequest& request) {
     texts << QString::fromStdString(path.string());
   }
   return texts;
-}
-
-QString consequenceOf(Consent consent) {
-  switch (consent) {
-    case Consent::ResampleLabels:
-      return CaseOpener::tr("The labels will be moved onto the CT's grid (nearest voxel). Borders may shift by half a voxel.");
-    case Consent::Tilt:
-      return CaseOpener::tr(
-          "The CT was taken with a tilted gantry. It will be straightened by resampling; fine detail is softened.");
-    case Consent::UnevenSlices:
-      return CaseOpener::tr(
-          "Slices are missing or unevenly spaced. The gaps will be filled by resampling: what lies in them is unseen.");
-    case Consent::OtherPatient:
-      return CaseOpener::tr(
-          "CT and labels name different patients or studies. If they do not belong together, every number is wrong.");
-  }
-  return {};
 }
 
 }  // namespace
@@ -102,15 +85,14 @@ void CaseOpener::handle(const OpenRequest& request, OpenedCase result) {
 }
 
 void CaseOpener::handleRefusal(const OpenRequest& request, const std::exception& error) {
-  const bool input = dynamic_cast<const InputError*>(&error) != nullptr;
-  const std::optional<ConsentQuestion> question = input && !unattended_ ? questionOf(error.what()) : std::nullopt;
-  const bool askedBefore = question && question->consent && request.options.consents.contains(*question->consent);
-  if (!question || askedBefore) {
+  const bool mayAsk = dynamic_cast<const InputError*>(&error) != nullptr && !unattended_;
+  const auto again = [this, request](const ReadOptions& answered) {
+    OpenRequest next = request;
+    next.options = answered;
+    start(next);
+  };
+  if (!mayAsk || !askToRead(dialogParent_, messageOf(error), request.options, again)) {
     emit refused(messageOf(error));
-  } else if (question->consent) {
-    askConsent(request, *question->consent, messageOf(error));
-  } else {
-    askFrame(request, messageOf(error));
   }
 }
 
@@ -149,32 +131,6 @@ void CaseOpener::askKinds(const OpenRequest& request, const std::vector<Labelled
     start(again);
   });
   dialog->open();
-}
-
-void CaseOpener::askConsent(const OpenRequest& request, Consent consent, const QString& refusal) {
-  const auto accept = [this, request, consent] {
-    OpenRequest again = request;
-    again.options.consents.insert(consent);
-    start(again);
-  };
-  ask(dialogParent_, {"consentDialog", tr("A question before reading"), consequenceOf(consent), shownSentence(refusal)},
-      {{"consentAccept", tr("Read it all the same"), accept}});
-}
-
-void CaseOpener::askFrame(const OpenRequest& request, const QString& refusal) {
-  const auto use = [this, request](NiftiFrame frame) {
-    return [this, request, frame] {
-      OpenRequest again = request;
-      again.options.niftiFrame = frame;
-      start(again);
-    };
-  };
-  ask(dialogParent_,
-      {"frameDialog", tr("A question before reading"),
-       tr("The file places its voxels in two ways that disagree (sform and qform). The wrong one moves or mirrors "
-          "the liver. Choose the one your other programs use."),
-       shownSentence(refusal)},
-      {{"frameSform", tr("Use sform"), use(NiftiFrame::SForm)}, {"frameQform", tr("Use qform"), use(NiftiFrame::QForm)}});
 }
 
 }  // namespace glisson

@@ -35,8 +35,6 @@ class CaseOpener : public QObject {
   void handleRefusal(const OpenRequest& request, const std::exception& error);
   void askSegmentation(const OpenRequest& request, const QString& ct);
   void askKinds(const OpenRequest& request, const std::vector<LabelledMask>& unknown);
-  void askConsent(const OpenRequest& request, Consent consent, const QString& refusal);
-  void askFrame(const OpenRequest& request, const QString& refusal);
 
   JobRunner& jobs_;
   QWidget* dialogParent_;

@@ -167,6 +167,7 @@ void MainWindow::connectParts() {
   connect(&plan_->islandBox(), &IslandBox::refused, this, &MainWindow::complain);
   plan_->territoryBox().pointIn(views_->modelView());
   connect(&plan_->territoryBox(), &TerritoryBox::hint, jobBar_, &JobBar::tell);
+  connect(&plan_->territoryBox(), &TerritoryBox::refused, this, &MainWindow::complain);
   connect(territories_, &TerritoryEstimator::refused, this, &MainWindow::complain);
   connect(&plan_->measureBox(), &MeasureBox::hint, jobBar_, &JobBar::tell);
   connect(&plan_->measureBox(), &MeasureBox::refused, this, &MainWindow::complain);

@@ -262,26 +262,4 @@ std::shared_ptr<const CtVolume> readCtOf(const Case& content, const ExecutionCon
   return ct;
 }
 
-std::optional<ConsentQuestion> questionOf(const std::string& refusal) {
-  constexpr std::array kFlags{
-      std::pair{"resample-labels", Consent::ResampleLabels},
-      std::pair{"uneven-slices", Consent::UnevenSlices},
-      std::pair{"other-patient", Consent::OtherPatient},
-      std::pair{"tilt", Consent::Tilt},
-  };
-  if (refusal.find("--prefer") != std::string::npos) {
-    return ConsentQuestion{};
-  }
-  const std::size_t at = refusal.find("--accept");
-  if (at == std::string::npos) {
-    return std::nullopt;
-  }
-  for (const auto& [flag, consent] : kFlags) {
-    if (refusal.find(flag, at) != std::string::npos) {
-      return ConsentQuestion{consent};
-    }
-  }
-  return std::nullopt;
-}
-
 }  // namespace glisson

@@ -55,10 +55,4 @@ OpenedCase openInputs(const OpenRequest& request, const ExecutionContext& contex
 /// The CT of a case whose file names its path; null where it has none. Throws InputError, Cancelled.
 std::shared_ptr<const CtVolume> readCtOf(const Case& content, const ExecutionContext& context = {});
 
-/// A question a refused input asks: which consent would let it pass.
-struct ConsentQuestion {
-  std::optional<Consent> consent;  ///< nothing: it is the choice between sform and qform
-};
-std::optional<ConsentQuestion> questionOf(const std::string& refusal);
-
 }  // namespace glisson

@@ -10,6 +10,7 @@
 #include "app/gui/file_dialog.h"
 #include "app/gui/narrow_table.h"
 #include "app/gui/number_text.h"
+#include "app/gui/reading_question.h"
 #include "app/gui/sentences.h"
 #include "planning/territories/branch_owners.h"
 
@@ -143,6 +144,13 @@ TerritoryBox::TerritoryBox(Document& document, TerritoryEstimator& estimator, QW
     emit hint(tr("Click a branch of the portal vein in the 3D view: it and all behind it become a territory. Escape ends."));
   });
   connect(&estimator_, &TerritoryEstimator::changed, this, &TerritoryBox::refresh);
+  connect(&estimator_, &TerritoryEstimator::mapRefused, this,
+          [this](const QString& path, const ReadOptions& options, const QString& sentence) {
+            const auto again = [this, path](const ReadOptions& answered) { estimator_.chooseSegments(path, answered); };
+            if (!askToRead(this, sentence, options, again)) {
+              emit refused(sentence);
+            }
+          });
   connect(&document_, &Document::caseChanged, this, &TerritoryBox::refresh);
   retranslateUi();
 }

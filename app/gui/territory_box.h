@@ -26,6 +26,7 @@ class TerritoryBox final : public Translated<QGroupBox> {
  signals:
   /// What to do next while pointing; empty: done.
   void hint(const QString& text);
+  void refused(const QString& sentence);  ///< a map of segments; in English
 
  protected:
   void retranslateUi() override;

@@ -25,12 +25,12 @@ std::string freeName(const std::vector<TerritoryPick>& picks) {
   }
 }
 
-/// The liver as `choice` divides it; a new map of segments gets its fingerprint. Where one that the case keeps cannot be had any
-/// more, `choice` becomes the proposal.
-Territories divided(const Case& content, const VesselGraph& portal, TerritoryChoice& choice, bool kept,
+/// The liver as `choice` divides it; a new map of segments, one with options, gets its fingerprint. Where one that the case keeps
+/// cannot be had any more, `choice` becomes the proposal.
+Territories divided(const Case& content, const VesselGraph& portal, TerritoryChoice& choice, const ReadOptions* newMap,
                     const ExecutionContext& context) {
-  if (choice.segments && !kept) {
-    Territories read = segmentTerritories(content, choice.segments->path, {}, context);
+  if (newMap != nullptr) {
+    Territories read = segmentTerritories(content, choice.segments->path, *newMap, context);
     choice.segments = segmentMapFile(choice.segments->path, read);
     return read;
   }
@@ -123,8 +123,9 @@ void TerritoryEstimator::propose() {
   }
 }
 
-void TerritoryEstimator::chooseSegments(const QString& path) {
+void TerritoryEstimator::chooseSegments(const QString& path, const ReadOptions& options) {
   if (perfusion_) {
+    mapOptions_ = options;
     divide(segmentChoice({path.toStdString(), {}}), QString::fromLatin1(kSegments));
   }
 }
@@ -179,10 +180,16 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
     std::vector<TumourTerritories> tumours;
   };
   JobRequest request{.key = "territories", .title = tr("Territories")};
-  request.fail = [this, perfusion = perfusion_](const std::exception& error) {
-    if (perfusion_ == perfusion) {  // else it is of a case that was closed
+  const std::optional<ReadOptions> newMap = choice.segments && !step.isEmpty() ? std::optional(mapOptions_) : std::nullopt;
+  request.fail = [this, perfusion = perfusion_, newMap, segments = choice.segments](const std::exception& error) {
+    if (perfusion_ != perfusion) {
+      return;  // it is of a case that was closed
+    }
+    goOnOrForget();
+    if (newMap) {
+      emit mapRefused(QString::fromStdString(segments->path), *newMap, messageOf(error));
+    } else {
       emit refused(messageOf(error));
-      goOnOrForget();
     }
   };
   dividing_ = true;
@@ -190,10 +197,11 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
   division_ = 0;  // that a newer division takes the place of this one is no end
   division_ = submitFor<Parts>(
       jobs_, std::move(request),
-      [content = document_.content(), perfusion = perfusion_, choice, kept = step.isEmpty()](const ExecutionContext& context) {
+      [content = document_.content(), perfusion = perfusion_, choice, newMap](const ExecutionContext& context) {
         Parts parts;
         parts.choice = choice;
-        parts.territories = std::make_shared<const Territories>(divided(content, perfusion->portal(), parts.choice, kept, context));
+        parts.territories = std::make_shared<const Territories>(
+            divided(content, perfusion->portal(), parts.choice, newMap ? &*newMap : nullptr, context));
         parts.tumours = tumourTerritories(content, *parts.territories);
         return parts;
       },

@@ -9,6 +9,7 @@
 
 #include "app/gui/document.h"
 #include "planning/territories/territory_json.h"
+#include "reconstruction/io/read.h"
 
 namespace glisson {
 
@@ -40,7 +41,7 @@ class TerritoryEstimator : public QObject {
   /// The supplying portal branch nearest to a point, with all behind it, becomes a territory of its own.
   void pick(const Vec3& pointMm);
   /// A map of segments 1 to 8, a file or a folder of masks, instead of branches.
-  void chooseSegments(const QString& path);
+  void chooseSegments(const QString& path, const ReadOptions& options = {});
   [[nodiscard]] bool hasSegments() const { return choice_.segments.has_value(); }
   /// Back to left and right as proposed.
   void propose();
@@ -48,6 +49,8 @@ class TerritoryEstimator : public QObject {
  signals:
   void changed();
   void refused(const QString& sentence);  ///< in English
+  /// The map that was chosen is not read so; the sentence, in English, may be a question (askToRead).
+  void mapRefused(const QString& path, const glisson::ReadOptions& options, const QString& sentence);
 
  private:
   void forget();
@@ -69,6 +72,7 @@ class TerritoryEstimator : public QObject {
   std::shared_ptr<const LiverPerfusion> perfusion_;
   TerritoryChoice choice_;
   TerritoryChoice wanted_;  ///< of the division that runs; else choice_
+  ReadOptions mapOptions_;  ///< of the map that was chosen last
   TerritoryMarks divided_;  ///< what the case says where territories_ are shown
   std::shared_ptr<const Territories> territories_;
   std::vector<TumourTerritories> tumours_;  ///< where they lie in territories_

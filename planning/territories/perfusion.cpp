@@ -120,7 +120,7 @@ struct LiverPerfusion::Impl {
   [[nodiscard]] std::int64_t remnantUnits(const VoxelRows& part, const std::vector<ImageResection>& plan,
                                           const SidePieces* sides) const {
     const std::int64_t switched = sides != nullptr ? sides->switchedUnits(part, plan) : 0;
-    return (static_cast<std::int64_t>(part.voxels) << 32) - resect(part, geometry.spacing, plan).totalUnits() - switched;
+    return (static_cast<std::int64_t>(part.voxels) << 32) - resectedUnits(part, geometry.spacing, plan) - switched;
   }
 };
 

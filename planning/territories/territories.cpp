@@ -241,7 +241,7 @@ std::vector<TerritoryVolume> volumesOf(const Territories& territories, const Res
   std::vector<TerritoryVolume> volumes;
   volumes.reserve(territories.parts.size());
   for (const Territory& part : territories.parts) {
-    std::int64_t resected = resect(part.rows, territories.geometry.spacing, resections).totalUnits();
+    std::int64_t resected = resectedUnits(part.rows, territories.geometry.spacing, resections);
     resected += sides ? sides->switchedUnits(part.rows, resections) : 0;
     const std::int64_t remnant = (static_cast<std::int64_t>(part.rows.voxels) << 32) - resected;
     volumes.push_back({part.name, static_cast<double>(part.rows.voxels) * voxelMl,

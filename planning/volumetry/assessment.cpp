@@ -63,6 +63,10 @@ struct PlanAssessor::Impl {
     return hasBends(plan.resections) ? resect(body.blocks, geometry.spacing, plan.resections)
                                      : resect(body.rows, geometry.spacing, plan.resections);
   }
+  [[nodiscard]] std::int64_t resectedUnits(const Body& body, const PlanInImage& plan) const {
+    return hasBends(plan.resections) ? glisson::resectedUnits(body.blocks, geometry.spacing, plan.resections)
+                                     : glisson::resectedUnits(body.rows, geometry.spacing, plan.resections);
+  }
   [[nodiscard]] PlanAssessment volumes(const PlanInImage& plan) const;
   [[nodiscard]] PlanAssessment assess(const ResectionPlan& source, bool withIslands) const;
   /// What is wrong with resections, or with the plan, that do not divide L.
@@ -197,7 +201,7 @@ void PlanAssessor::Impl::explain(PlanAssessment& result, const Resected& inLiver
       continue;
     }
     // Of what several resections take, the first one has it: only by itself a resection shows what it takes.
-    const std::int64_t alone = resected(liver, {plan.source, {plan.resections[r]}, {}}).totalUnits();
+    const std::int64_t alone = resectedUnits(liver, {plan.source, {plan.resections[r]}, {}});
     ResectionVolume& resection = result.resections[r];
     if (alone == 0 || alone == total) {
       resection.dividesByItself = false;
@@ -226,7 +230,7 @@ PlanAssessment PlanAssessor::Impl::volumes(const PlanInImage& plan) const {
   }
   explain(result, inLiver, plan);
   std::int64_t taken = byPlanes;
-  std::int64_t diseased = resected(lesionsInLiver, plan).totalUnits();
+  std::int64_t diseased = resectedUnits(lesionsInLiver, plan);
   if (plan.hasSwitched()) {
     taken += plan.sides->switchedUnits(liver.rows, plan.resections);
     diseased += plan.sides->switchedUnits(lesionsInLiver.rows, plan.resections);
@@ -274,7 +278,7 @@ TumourAssessment PlanAssessor::Impl::assessTumour(std::size_t place, const PlanI
   result.id = tumour.id;
   result.name = tumour.name;
   result.isCyst = tumour.isCyst;
-  std::int64_t taken = resected(tumour.body, plan).totalUnits();
+  std::int64_t taken = resectedUnits(tumour.body, plan);
   if (plan.hasSwitched()) {
     taken += plan.sides->switchedUnits(rows, plan.resections);
   }

@@ -49,8 +49,8 @@ struct Problem {
 
   [[nodiscard]] Candidate valued(const ImagePlane& plane) const {
     const std::vector<ImageResection> plan{{{plane}}};
-    const std::int64_t taken = resect(liver, spacing, plan).totalUnits();
-    const std::int64_t diseased = resect(lesions, spacing, plan).totalUnits();
+    const std::int64_t taken = resectedUnits(liver, spacing, plan);
+    const std::int64_t diseased = resectedUnits(lesions, spacing, plan);
     const auto functional = static_cast<std::int64_t>(liver.voxels - lesions.voxels) << 32;
     Candidate candidate{plane.normal, taken - diseased, false};
     candidate.valid = taken > 0 && candidate.units < functional;

@@ -87,9 +87,9 @@ void setAreas(const std::vector<CutPiece>& pieces, std::size_t resections, Resec
     result.cutAreaMm2[piece.resection] += areaOf(piece.polygon);
   }
 }
-}  // namespace
 
-Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {
+/// Areas only where the plan is one plane.
+Resected counted(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {
   Resected result;
   if (hasBends(plan)) {
     constexpr std::size_t kRuns = 512;
@@ -107,13 +107,10 @@ Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<Im
       result.cutAreaMm2[0] = counter.singlePlaneArea();
     }
   }
-  if (!isOnePlane(plan)) {
-    setAreas(cutSurface(rows, spacing, plan), plan.size(), result);
-  }
   return result;
 }
 
-Resected resect(const RowBlocks& blocks, const Vec3& spacing, const std::vector<ImageResection>& plan) {
+Resected counted(const RowBlocks& blocks, const Vec3& spacing, const std::vector<ImageResection>& plan) {
   constexpr std::size_t kBlocks = 64;
   const auto count = [&](std::size_t n, FlatStretches& stretches, Resected& part) {
     const RowBlock& block = blocks.blocks[n];
@@ -126,11 +123,33 @@ Resected resect(const RowBlocks& blocks, const Vec3& spacing, const std::vector<
       countRun(blocks.rows.runs[run], spacing, stretches, part);
     }
   };
-  Resected result = resectBent(blocks.blocks.size(), kBlocks, spacing, plan, count);
+  return resectBent(blocks.blocks.size(), kBlocks, spacing, plan, count);
+}
+
+template <typename Voxels>
+Resected withAreas(const Voxels& voxels, const Vec3& spacing, const std::vector<ImageResection>& plan) {
+  Resected result = counted(voxels, spacing, plan);
   if (!isOnePlane(plan)) {
-    setAreas(cutSurface(blocks, spacing, plan), plan.size(), result);
+    setAreas(cutSurface(voxels, spacing, plan), plan.size(), result);
   }
   return result;
+}
+}  // namespace
+
+Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {
+  return withAreas(rows, spacing, plan);
+}
+
+Resected resect(const RowBlocks& blocks, const Vec3& spacing, const std::vector<ImageResection>& plan) {
+  return withAreas(blocks, spacing, plan);
+}
+
+std::int64_t resectedUnits(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {
+  return counted(rows, spacing, plan).totalUnits();
+}
+
+std::int64_t resectedUnits(const RowBlocks& blocks, const Vec3& spacing, const std::vector<ImageResection>& plan) {
+  return counted(blocks, spacing, plan).totalUnits();
 }
 
 std::vector<CutPiece> cutSurface(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan) {

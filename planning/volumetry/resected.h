@@ -36,6 +36,9 @@ struct Resected {
 Resected resect(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
 /// The same; faster where planes are bent, and to the unit what the blocks' rows give where all are.
 Resected resect(const RowBlocks& blocks, const Vec3& spacing, const std::vector<ImageResection>& plan);
+/// resect().totalUnits(), without the surface that the areas of several planes need.
+std::int64_t resectedUnits(const VoxelRows& rows, const Vec3& spacing, const std::vector<ImageResection>& plan);
+std::int64_t resectedUnits(const RowBlocks& blocks, const Vec3& spacing, const std::vector<ImageResection>& plan);
 
 /// A piece of the resection surface inside one run of voxels.
 struct CutPiece {

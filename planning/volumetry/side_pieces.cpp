@@ -189,7 +189,7 @@ std::int64_t SidePieces::switchedUnits(const VoxelRows& rows, const std::vector<
       const RowRun voxel{i, part.run.j, part.run.k, 1};
       const std::int64_t units = std::int64_t{1} << 32;
       const std::int64_t resected =
-          part.isDivided() ? resect({{voxel}, 1}, spacing_, plan).totalUnits() : part.resected / part.run.n;
+          part.isDivided() ? resectedUnits(VoxelRows{{voxel}, 1}, spacing_, plan) : part.resected / part.run.n;
       add(PlanSide::Resected, voxel, resected);
       add(PlanSide::Remnant, voxel, units - resected);
     }

@@ -104,6 +104,36 @@ TEST_F(PlanShown, AMapOfSegmentsIsReadKeptUndoneAndMissedWhenItsFileChanges) {
   EXPECT_EQ(first(), "left") << "a wrong choice leaves what was shown";
 }
 
+TEST_F(PlanShown, AMapOfSegmentsOffTheGridIsReadWithConsentOnly) {
+  const Case fork = test::forkCase(Vec3(2, 2, 2));
+  ImageGeometry shifted = fork.segmentation->geometry;
+  shifted.origin += Vec3(0.7, 0, 0);
+  const auto file = std::filesystem::path(folder.filePath("shifted.nii.gz").toStdString());
+  sample::writeNifti(file, shifted, std::vector<std::uint8_t>(shifted.voxelCount(), 4));
+  emit window->opener().opened(fork, nullptr, {});
+  ASSERT_TRUE(settle());
+  find<QPushButton>("estimateTerritories")->click();
+  auto* table = find<QTreeWidget>("territoryTable");
+  const auto first = [&] { return table->topLevelItemCount() > 0 ? table->topLevelItem(0)->text(0) : QString(); };
+  ASSERT_TRUE(waitFor([&] { return first() == "left" && table->isEnabled(); }));
+  const auto question = [&] { return window->findChild<QDialog*>("consentDialog"); };
+  QSignalSpy refusals(&window->territories(), &TerritoryEstimator::mapRefused);
+  for (const bool accepted : {false, true}) {
+    window->territories().chooseSegments(QString::fromStdString(file.string()));
+    ASSERT_TRUE(waitFor([&] { return question() != nullptr; }));
+    EXPECT_EQ(first(), "left") << "nothing is read before the answer";
+    if (accepted) {
+      question()->findChild<QPushButton*>("consentAccept")->click();
+    } else {
+      question()->reject();
+    }
+    ASSERT_TRUE(waitFor([&] { return question() == nullptr && jobs->idle() && table->isEnabled(); }));
+    EXPECT_EQ(first(), accepted ? "segment 4" : "left");
+  }
+  EXPECT_EQ(refusals.count(), 2) << "an answer is not asked for again";
+  EXPECT_TRUE(document().content().territories.segments);
+}
+
 TEST_F(PlanShown, ABranchThatIsPickedWhileAnotherChoiceIsWorkedOnIsAddedToThatOne) {
   emit window->opener().opened(test::forkCase(Vec3(2, 2, 2)), nullptr, {});
   ASSERT_TRUE(settle());
