@@ -15,6 +15,7 @@
 #include "app/gui/model_builder.h"
 #include "app/gui/number_text.h"
 #include "app/lab/accuracy_figure.h"
+#include "reconstruction/evaluation/rated_recipes.h"
 #include "reconstruction/reconstruct.h"
 
 namespace glisson {
@@ -245,7 +246,7 @@ void LabSetup::refresh() {
   rate_->setEnabled(structure() != nullptr);
   if (structure() == nullptr) {
     rate_->setToolTip(tr("Open a case first."));
-  } else if (experiment_.evaluation().publishedComplete) {
+  } else if (hasRatedGroups(experiment_.evaluation())) {
     rate_->setToolTip(
         tr("Shows the best PSR, the best MCSD and the MCSD most similar to that PSR to raters one at a time, without names."));
   } else {

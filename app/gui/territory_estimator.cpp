@@ -27,9 +27,9 @@ std::string freeName(const std::vector<TerritoryPick>& picks) {
 
 /// The liver as `choice` divides it; a new map of segments, one with options, gets its fingerprint. Where one that the case keeps
 /// cannot be had any more, `choice` becomes the proposal.
-Territories divided(const Case& content, const VesselGraph& portal, TerritoryChoice& choice, const ReadOptions* newMap,
-                    const ExecutionContext& context) {
-  if (newMap != nullptr) {
+Territories divided(const Case& content, const VesselGraph& portal, TerritoryChoice& choice,
+                    const std::optional<ReadOptions>& newMap, const ExecutionContext& context) {
+  if (newMap) {
     Territories read = segmentTerritories(content, choice.segments->path, *newMap, context);
     choice.segments = segmentMapFile(choice.segments->path, read);
     return read;
@@ -125,8 +125,7 @@ void TerritoryEstimator::propose() {
 
 void TerritoryEstimator::chooseSegments(const QString& path, const ReadOptions& options) {
   if (perfusion_) {
-    mapOptions_ = options;
-    divide(segmentChoice({path.toStdString(), {}}), QString::fromLatin1(kSegments));
+    divide(segmentChoice({path.toStdString(), {}}), QString::fromLatin1(kSegments), options);
   }
 }
 
@@ -163,7 +162,7 @@ void TerritoryEstimator::keep(const QString& step) {
   }
 }
 
-void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
+void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step, const std::optional<ReadOptions>& newMap) {
   wanted_ = choice;
   if (choice.picks.empty() && !choice.segments) {
     dividing_ = false;
@@ -180,7 +179,6 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
     std::vector<TumourTerritories> tumours;
   };
   JobRequest request{.key = "territories", .title = tr("Territories")};
-  const std::optional<ReadOptions> newMap = choice.segments && !step.isEmpty() ? std::optional(mapOptions_) : std::nullopt;
   request.fail = [this, perfusion = perfusion_, newMap, segments = choice.segments](const std::exception& error) {
     if (perfusion_ != perfusion) {
       return;  // it is of a case that was closed
@@ -200,8 +198,8 @@ void TerritoryEstimator::divide(TerritoryChoice choice, const QString& step) {
       [content = document_.content(), perfusion = perfusion_, choice, newMap](const ExecutionContext& context) {
         Parts parts;
         parts.choice = choice;
-        parts.territories = std::make_shared<const Territories>(
-            divided(content, perfusion->portal(), parts.choice, newMap ? &*newMap : nullptr, context));
+        parts.territories =
+            std::make_shared<const Territories>(divided(content, perfusion->portal(), parts.choice, newMap, context));
         parts.tumours = tumourTerritories(content, *parts.territories);
         return parts;
       },

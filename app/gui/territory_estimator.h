@@ -55,8 +55,9 @@ class TerritoryEstimator : public QObject {
  private:
   void forget();
   /// A choice that the case keeps and that cannot be had any more (its map of segments is gone) becomes the proposal, with a note.
-  /// `step`: what the user did, an undo step of the case once it is done; empty where the case says so already.
-  void divide(TerritoryChoice choice, const QString& step = {});
+  /// `step`: what the user did, an undo step of the case once it is done; empty where the case says so already. `newMap`: how a map
+  /// is read that the case does not keep yet.
+  void divide(TerritoryChoice choice, const QString& step = {}, const std::optional<ReadOptions>& newMap = {});
   void keep(const QString& step);
   /// After a division that came to nothing: on with the one before, unless the case says otherwise by now (undone).
   void goOnOrForget();
@@ -72,7 +73,6 @@ class TerritoryEstimator : public QObject {
   std::shared_ptr<const LiverPerfusion> perfusion_;
   TerritoryChoice choice_;
   TerritoryChoice wanted_;  ///< of the division that runs; else choice_
-  ReadOptions mapOptions_;  ///< of the map that was chosen last
   TerritoryMarks divided_;  ///< what the case says where territories_ are shown
   std::shared_ptr<const Territories> territories_;
   std::vector<TumourTerritories> tumours_;  ///< where they lie in territories_

@@ -34,6 +34,12 @@ struct Body {
   RowBlocks blocks;
 };
 
+/// What `of` gives of the form of the voxels that is quicker for the plan.
+template <typename Of>
+auto quicker(const Body& body, const PlanInImage& plan, const Of& of) {
+  return hasBends(plan.resections) ? of(body.blocks) : of(body.rows);
+}
+
 /// The margin of the tumour at a place.
 using MarginOf = std::function<Margin(std::size_t)>;
 }  // namespace
@@ -60,12 +66,11 @@ struct PlanAssessor::Impl {
     return static_cast<double>(units) / kUnitsPerVoxel * geometry.voxelVolumeMm3() * kMlPerMm3;
   }
   [[nodiscard]] Resected resected(const Body& body, const PlanInImage& plan) const {
-    return hasBends(plan.resections) ? resect(body.blocks, geometry.spacing, plan.resections)
-                                     : resect(body.rows, geometry.spacing, plan.resections);
+    return quicker(body, plan, [&](const auto& voxels) { return resect(voxels, geometry.spacing, plan.resections); });
   }
   [[nodiscard]] std::int64_t resectedUnits(const Body& body, const PlanInImage& plan) const {
-    return hasBends(plan.resections) ? glisson::resectedUnits(body.blocks, geometry.spacing, plan.resections)
-                                     : glisson::resectedUnits(body.rows, geometry.spacing, plan.resections);
+    return quicker(body, plan,
+                   [&](const auto& voxels) { return glisson::resectedUnits(voxels, geometry.spacing, plan.resections); });
   }
   [[nodiscard]] PlanAssessment volumes(const PlanInImage& plan) const;
   [[nodiscard]] PlanAssessment assess(const ResectionPlan& source, bool withIslands) const;
@@ -156,8 +161,8 @@ VoxelRows voxelsAlong(const std::vector<CutPiece>& pieces, const VoxelRows& rows
 
 /// The resection surface once islands are where they belong.
 std::vector<CutPiece> surfaceOf(const Body& body, const Vec3& spacing, const PlanInImage& plan) {
-  std::vector<CutPiece> pieces = hasBends(plan.resections) ? cutSurface(body.blocks, spacing, plan.resections)
-                                                           : cutSurface(body.rows, spacing, plan.resections);
+  std::vector<CutPiece> pieces =
+      quicker(body, plan, [&](const auto& voxels) { return cutSurface(voxels, spacing, plan.resections); });
   if (plan.hasSwitched()) {
     std::vector<std::size_t> origin;
     const VoxelRows voxels = voxelsAlong(pieces, body.rows, origin);

@@ -21,8 +21,12 @@ std::vector<RatedRecipe> gradedRecipes() {
 
 }  // namespace
 
+bool hasRatedGroups(const Evaluation& experiment) {
+  return experiment.publishedComplete && experiment.bestPsr && experiment.bestMcsd && experiment.mostSimilar;
+}
+
 std::vector<RatedRecipe> ratedRecipes(const Evaluation& experiment) {
-  if (!experiment.publishedComplete || !experiment.bestPsr || !experiment.bestMcsd || !experiment.mostSimilar) {
+  if (!hasRatedGroups(experiment)) {
     return gradedRecipes();
   }
   const auto recipe = [&](std::size_t place) { return experiment.models[place].recipe; };

@@ -16,7 +16,10 @@ struct RatedRecipe {
   std::string group = {};
 };
 
-/// The paper's three groups, P_best, C_best and C_sim of the experiment, where that has all published models. Else, of an
+/// All published models are there, and each of the paper's three groups has one.
+bool hasRatedGroups(const Evaluation& experiment);
+
+/// The paper's three groups, P_best, C_best and C_sim of the experiment, where hasRatedGroups(). Else, of an
 /// experiment that is not there or not complete, a depth of PSR and a smoothing of MCSD for each of four grades, from nearly raw to
 /// strongly reduced.
 std::vector<RatedRecipe> ratedRecipes(const Evaluation& experiment);

@@ -127,8 +127,7 @@ struct Surroundings {
 
   [[nodiscard]] bool mayMove(std::uint32_t v) const { return free[v] != 0 && done[v] == 0; }
   void beginRound() {
-    fresh = changed.empty() ? std::vector<std::uint8_t>(mesh.vertices.size(), 1) : std::exchange(changed, {});
-    changed.assign(mesh.vertices.size(), 0);
+    fresh = std::exchange(changed, std::vector<std::uint8_t>(mesh.vertices.size()));
     done.assign(mesh.vertices.size(), 0);
   }
   void addToCells(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -147,6 +146,7 @@ struct Surroundings {
       }
     });
     free.resize(mesh.vertices.size());
+    changed.assign(mesh.vertices.size(), 1);
     parallelFor(free.size(), kTrianglesAPiece, [&](std::size_t begin, std::size_t end) {
       context.throwIfCancelled();
       for (std::size_t v = begin; v < end; ++v) {

@@ -43,6 +43,18 @@ class PlanShown : public test::MainWindowTest {
     const QImage icon = find<QTreeWidget>("territoryTable")->topLevelItem(row)->icon(0).pixmap(12, 12).toImage();
     return icon.isNull() ? QColor() : icon.pixelColor(icon.rect().center());
   }
+  QTreeWidget* territories() { return find<QTreeWidget>("territoryTable"); }
+  QString firstTerritory() { return territories()->topLevelItemCount() > 0 ? territories()->topLevelItem(0)->text(0) : QString(); }
+  bool waitForFirst(const QString& name) {
+    return waitFor([&] { return firstTerritory() == name && territories()->isEnabled(); });
+  }
+  /// Opens the case and estimates left and right.
+  void openWithTerritories(const Case& content) {
+    emit window->opener().opened(content, nullptr, {});
+    ASSERT_TRUE(settle());
+    find<QPushButton>("estimateTerritories")->click();
+    ASSERT_TRUE(waitForFirst("left"));
+  }
   /// With this part of the plan panel in sight.
   void keepPicture(const QString& name, const QString& part) {
     window->resize(1400, 1150);
@@ -65,17 +77,13 @@ TEST_F(PlanShown, AMapOfSegmentsIsReadKeptUndoneAndMissedWhenItsFileChanges) {
     sample::writeNifti(file, grid, values);
   };
   writeMap(7);
-  emit window->opener().opened(fork, nullptr, {});
-  ASSERT_TRUE(settle());
-  find<QPushButton>("estimateTerritories")->click();
-  auto* table = find<QTreeWidget>("territoryTable");
-  const auto first = [&] { return table->topLevelItemCount() > 0 ? table->topLevelItem(0)->text(0) : QString(); };
-  ASSERT_TRUE(waitFor([&] { return first() == "left" && table->isEnabled(); }));
+  ASSERT_NO_FATAL_FAILURE(openWithTerritories(fork));
+  auto* table = territories();
   find<QPushButton>("segmentTerritories")->click();
   auto* dialog = find<QFileDialog>("segmentMapDialog");
   emit dialog->fileSelected(QString::fromStdString(file.string()));
   dialog->close();
-  ASSERT_TRUE(waitFor([&] { return first() == "segment 2" && table->isEnabled(); }));
+  ASSERT_TRUE(waitForFirst("segment 2"));
   EXPECT_EQ(table->topLevelItem(1)->text(0), "segment 7");
   EXPECT_FALSE(find<QCheckBox>("showTerritories")->isEnabled());
   EXPECT_FALSE(find<QWidget>("confirmTerritories")->isVisibleTo(window.get()));
@@ -88,20 +96,20 @@ TEST_F(PlanShown, AMapOfSegmentsIsReadKeptUndoneAndMissedWhenItsFileChanges) {
   EXPECT_EQ(stored.territories, document().content().territories);
 
   document().undoStack().undo();
-  ASSERT_TRUE(waitFor([&] { return first() == "left" && table->isEnabled(); }));
+  ASSERT_TRUE(waitForFirst("left"));
   document().undoStack().redo();
-  ASSERT_TRUE(waitFor([&] { return first() == "segment 2" && table->isEnabled(); }));
+  ASSERT_TRUE(waitForFirst("segment 2"));
   document().undoStack().undo();
-  ASSERT_TRUE(waitFor([&] { return first() == "left" && table->isEnabled(); }));
+  ASSERT_TRUE(waitForFirst("left"));
   writeMap(8);
   document().undoStack().redo();
   auto* notes = find<QLabel>("territoryNotes");
   ASSERT_TRUE(waitFor([&] { return notes->text().contains("does not say any more what it said") && table->isEnabled(); }));
-  EXPECT_EQ(first(), "left") << "proposed, and not another map under the old one's name";
+  EXPECT_EQ(firstTerritory(), "left") << "proposed, and not another map under the old one's name";
   EXPECT_TRUE(document().content().territories.segments) << "what was chosen is not forgotten";
   window->territories().chooseSegments("/nowhere.nii.gz");
   ASSERT_TRUE(waitFor([&] { return jobs->idle() && table->isEnabled(); }));
-  EXPECT_EQ(first(), "left") << "a wrong choice leaves what was shown";
+  EXPECT_EQ(firstTerritory(), "left") << "a wrong choice leaves what was shown";
 }
 
 TEST_F(PlanShown, AMapOfSegmentsOffTheGridIsReadWithConsentOnly) {
@@ -110,25 +118,21 @@ TEST_F(PlanShown, AMapOfSegmentsOffTheGridIsReadWithConsentOnly) {
   shifted.origin += Vec3(0.7, 0, 0);
   const auto file = std::filesystem::path(folder.filePath("shifted.nii.gz").toStdString());
   sample::writeNifti(file, shifted, std::vector<std::uint8_t>(shifted.voxelCount(), 4));
-  emit window->opener().opened(fork, nullptr, {});
-  ASSERT_TRUE(settle());
-  find<QPushButton>("estimateTerritories")->click();
-  auto* table = find<QTreeWidget>("territoryTable");
-  const auto first = [&] { return table->topLevelItemCount() > 0 ? table->topLevelItem(0)->text(0) : QString(); };
-  ASSERT_TRUE(waitFor([&] { return first() == "left" && table->isEnabled(); }));
+  ASSERT_NO_FATAL_FAILURE(openWithTerritories(fork));
+  auto* table = territories();
   const auto question = [&] { return window->findChild<QDialog*>("consentDialog"); };
   QSignalSpy refusals(&window->territories(), &TerritoryEstimator::mapRefused);
   for (const bool accepted : {false, true}) {
     window->territories().chooseSegments(QString::fromStdString(file.string()));
     ASSERT_TRUE(waitFor([&] { return question() != nullptr; }));
-    EXPECT_EQ(first(), "left") << "nothing is read before the answer";
+    EXPECT_EQ(firstTerritory(), "left") << "nothing is read before the answer";
     if (accepted) {
       question()->findChild<QPushButton*>("consentAccept")->click();
     } else {
       question()->reject();
     }
     ASSERT_TRUE(waitFor([&] { return question() == nullptr && jobs->idle() && table->isEnabled(); }));
-    EXPECT_EQ(first(), accepted ? "segment 4" : "left");
+    EXPECT_EQ(firstTerritory(), accepted ? "segment 4" : "left");
   }
   EXPECT_EQ(refusals.count(), 2) << "an answer is not asked for again";
   EXPECT_TRUE(document().content().territories.segments);
